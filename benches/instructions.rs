@@ -23,10 +23,10 @@ const BOUNDS: [(&str, u64); 12] = [
     ("inertial", 520),
     ("inertial-trajectory", 515),
     ("track", 755),
-    ("position", 3_510),
-    ("contains", 3_470),
-    ("near", 33_700),
-    ("near-few", 6_855),
+    ("position", 1_620),
+    ("contains", 1_120),
+    ("near", 34_200),
+    ("near-few", 6_925),
     ("short-length", 1_175),
 ];
 
@@ -35,15 +35,24 @@ const PARTICLE: f64 = 1_400.0;
 /// How many batches of particles, in the short and in the long run.
 const CLOUDS: [usize; 2] = [1, 3];
 
-/// Kinds of [`path_probe`](../src/bin/path_probe.rs), on a path of at least 500 m over the carried town, as for queries.
-const PATH_BOUNDS: [(&str, u64); 6] = [
-    ("project", 1_290),
-    ("build", 745_300),
-    ("corridor", 190_500),
-    ("surface", 571_100),
-    ("segments", 11_790),
-    ("conflicts", 1_318_000),
+/// Kinds of [`path_probe`](planner/src/bin/path_probe.rs), on a path of at least 500 m over the carried town and between its ends, as for queries.
+const PATH_BOUNDS: [(&str, u64); 10] = [
+    ("project", 1_265),
+    ("at", 3_140),
+    ("build", 720_000),
+    ("corridor", 183_600),
+    ("surface", 549_400),
+    ("segments", 11_450),
+    ("conflicts", 1_290_000),
+    ("request", 33_300),
+    ("alternatives", 135_200),
+    ("reach", 75_850),
 ];
+/// Instructions that one point may take in a batch of 1,000, as for queries.
+const PATH_POINT: f64 = 1_437.0;
+/// How many points a batch of [`path_probe`](planner/src/bin/path_probe.rs) has, and how many batches.
+const PATH_POINTS: f64 = 1_000.0;
+const PATH_BATCHES: [usize; 2] = [1, 3];
 /// Questions of the short and of the long run.
 const PATH_RUNS: [usize; 2] = [50, 250];
 
@@ -54,16 +63,17 @@ const COMPILATIONS: [usize; 2] = [1, 3];
 /// Instructions that compiling may take per byte of OpenDRIVE, without landmarks: as for queries.
 const PER_BYTE: f64 = 473.0;
 
-/// The programs that ask, built as planners link the client: nothing is said of code generation, and they lie outside of the crates
-/// that answer. None where they cannot be built.
-fn probes() -> Option<[String; 2]> {
+/// The programs that ask queries, and of paths and routes, built as planners link the client: nothing is said of code generation, and they
+/// lie outside of the crates that answer. None where they cannot be built.
+fn probes() -> Option<[String; 3]> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let arguments = ["build", "--quiet", "--profile", "planner", "--package", "mapd-planner"];
     let is_built =
         Command::new(cargo).args(arguments).status().is_ok_and(|status| status.success());
     // Beside the folder of this profile.
     let target = Path::new(env!("CARGO_BIN_EXE_compile_probe")).parent()?.parent()?;
-    let programs = ["query_probe", "view_probe"].map(|name| target.join("planner").join(name));
+    let programs =
+        ["query_probe", "view_probe", "path_probe"].map(|name| target.join("planner").join(name));
     (is_built && programs.iter().all(|program| program.exists()))
         .then(|| programs.map(|program| program.to_string_lossy().into_owned()))
 }
@@ -119,7 +129,7 @@ fn main() -> ExitCode {
     let town = folder.path().join("town.xodr");
     std::fs::write(&town, &text).expect("the town is written");
     let (path, town) = (path.to_string_lossy(), town.to_string_lossy());
-    let Some([probe, view_probe]) = probes() else {
+    let Some([probe, view_probe, path_probe]) = probes() else {
         print("the programs that ask queries cannot be built");
         return ExitCode::FAILURE;
     };
@@ -140,9 +150,12 @@ fn main() -> ExitCode {
         print(&format!("the same one by one: {single:.0}, {:.1} ×", single / batch));
     }
     for (kind, bound) in PATH_BOUNDS {
-        let each = of_one(env!("CARGO_BIN_EXE_path_probe"), &[&path, kind], PATH_RUNS);
+        let each = of_one(&path_probe, &[&path, kind], PATH_RUNS);
         exceeded |=
             each.is_some_and(|each| exceeds(&format!("path, {kind}"), each, bound as f64, 0));
+    }
+    if let Some(batch) = of_one(&path_probe, &[&path, "project-batch"], PATH_BATCHES) {
+        exceeded |= exceeds("path, a point of a batch", batch / PATH_POINTS, PATH_POINT, 0);
     }
     if let Some(each) = of_one(env!("CARGO_BIN_EXE_compile_probe"), &[&town], COMPILATIONS) {
         exceeded |= exceeds("compile, per byte", each / text.len() as f64, PER_BYTE, 1);

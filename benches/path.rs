@@ -4,8 +4,9 @@
 //! lane reaches the goal is asked of a search.
 
 use mapd_benches::{Random, best, long_way, maps, print};
+use mapd_client::batch::Places;
 use mapd_client::glam::DVec2;
-use mapd_client::path::{Corridor, Path, PathBuffer, PathOptions};
+use mapd_client::path::{Corridor, Path, PathBuffer, PathOptions, PathPositions};
 use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestLength};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Map, NearestOptions};
@@ -59,8 +60,10 @@ fn project(name: &str, map: Map<'_>, path: &Path<'_, '_>, steps: &[RouteStep]) {
             hint = path.project(*point, hint).ok().map(|found| black_box(found).along);
         }
     });
-    let mut feet = Vec::new();
-    let batch = best(ROUNDS, || path.project_batch(black_box(&points), &mut feet).expect("feet"));
+    let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|point| (point.x, point.y)).unzip();
+    let places = Places { x: &x, y: &y, ..Places::default() };
+    let mut feet = PathPositions::default();
+    let batch = best(ROUNDS, || path.project_batch(black_box(places), &mut feet).expect("feet"));
     let options = NearestOptions { vehicle: Some(CAR), ..NearestOptions::default() };
     let by_hand = best(ROUNDS, || {
         for point in &points {
@@ -75,7 +78,7 @@ fn project(name: &str, map: Map<'_>, path: &Path<'_, '_>, steps: &[RouteStep]) {
     });
     let (coherent_ns, batch_ns) = (ns(coherent, POINTS), ns(batch, POINTS));
     print(&format!(
-        "project, {name}, {POINTS} points on {:.0} m: {coherent_ns} each with a hint, {batch_ns} without; nearest lane and its step {} ({})",
+        "project, {name}, {POINTS} points on {:.0} m: {coherent_ns} each with a hint, {batch_ns} in a batch without; nearest lane and its step {} ({})",
         path.length(),
         ns(by_hand, POINTS),
         times(by_hand, coherent)

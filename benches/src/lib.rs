@@ -16,10 +16,8 @@
 //!
 //! They use `carla/Town05.xodr` of the shared corpus and its 6×6 tiling, and say so where these are missing.
 
-use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestLength};
-use mapd_client::vocabulary::VehicleClass;
-use mapd_client::{Lane, Map, Snapshot};
-pub use mapd_planner::{PARTICLES, cloud, places};
+use mapd_client::{Map, Snapshot};
+pub use mapd_planner::{PARTICLES, cloud, long_way, places};
 pub use mapd_tests::maps::Random;
 use quick_xml::events::Event;
 use std::io::Write;
@@ -104,37 +102,6 @@ pub fn compiled(path: &Path) -> Snapshot {
     let rows = compiled.rows.expect("accepted");
     let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
     Snapshot::from_bytes(archive).expect("opens")
-}
-
-/// Places that a long way leads over at most.
-const MOST_PLACES: usize = 400;
-
-/// The steps of a passenger car's route over random places that is at least so long `[m]`; none where some hundred places are not enough.
-pub fn long_way(map: Map<'_>, length: f64, scratch: &mut RouteScratch) -> Option<Vec<RouteStep>> {
-    let car = VehicleClass::PassengerCar;
-    let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(car));
-    let lanes: Vec<Lane<'_>> = map.lanes().filter(open).collect();
-    let mut random = Random(5);
-    let (mut places, mut steps) = (Vec::new(), Vec::new());
-    let cost = ShortestLength::default();
-    for _ in 0..MOST_PLACES {
-        let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
-        let section = lane.section();
-        let s = 0.5 * (section.s_start() + section.s_end());
-        places.push(PositionOnLane { lane: lane.lane_id(), s });
-        if places.len() < 2 {
-            continue;
-        }
-        let found = map.route_via(&places, car, &cost, scratch, &mut steps);
-        match found.expect("an answer") {
-            Some(route) if route.length >= length => return Some(steps),
-            Some(_) => {}
-            None => {
-                places.pop();
-            }
-        }
-    }
-    None
 }
 
 /// Best time of several runs: what the machine can do when nothing disturbs it.

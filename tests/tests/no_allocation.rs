@@ -18,7 +18,9 @@ use mapd_client::{
     glam::{DMat3, DVec2},
 };
 use mapd_compiler::{CompileOptions, compile};
-use mapd_query::path::{Corridor, CorridorEdges, LaneChange, PathBuffer, PathOptions};
+use mapd_query::path::{
+    Corridor, CorridorEdges, LaneChange, PathBuffer, PathOptions, PathPositions,
+};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -275,8 +277,8 @@ fn paths_do_not_allocate_after_the_first_call() {
         map.lanes().map(|lane| PositionOnLane { lane: lane.lane_id(), s: 1.0 }).collect();
     let (mut scratch, mut steps, mut buffer) =
         (RouteScratch::default(), Vec::new(), PathBuffer::default());
-    let (mut room, mut conflicts, mut places, mut feet) =
-        (Corridor::default(), Vec::new(), Vec::new(), Vec::new());
+    let mut feet = PathPositions::default();
+    let (mut room, mut conflicts, mut places) = (Corridor::default(), Vec::new(), Vec::new());
     let (mut segments, mut facts, mut speeds, mut part) =
         (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut ring, mut other) = (Vec::new(), PathBuffer::default());
@@ -294,7 +296,8 @@ fn paths_do_not_allocate_after_the_first_call() {
             let at = path.at(0.5 * path.length()).expect("a place");
             let point = at.position.truncate();
             path.project(point, Some(at.along)).expect("a foot");
-            path.project_batch(&[point, DVec2::ZERO], &mut feet).expect("feet");
+            let both = Places { x: &[point.x, 0.0], y: &[point.y, 0.0], ..Places::default() };
+            path.project_batch(both, &mut feet).expect("feet");
             path.at_batch(&stations, &mut places).expect("places");
             path.corridor(0.0, 150.0, 1.0, car, &mut room).expect("a corridor");
             path.corridor_surface(&mut room).expect("surfaces");

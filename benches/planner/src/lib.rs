@@ -1,8 +1,10 @@
-//! What a planner's process has of mapd: the client alone, in a profile that says nothing of code generation. Its binary asks queries
-//! from outside of the crates that answer them, and its instructions are counted.
+//! What a planner's process has of mapd: the client alone, in a profile that says nothing of code generation. Its binaries ask queries
+//! from outside of the crates that answer them, and their instructions are counted.
 
-use mapd_client::Map;
 use mapd_client::glam::DVec2;
+use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestLength};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Lane, Map};
 
 /// A xorshift generator: the same numbers on every machine.
 pub struct Random(pub u64);
@@ -52,4 +54,35 @@ pub fn cloud(middle: DVec2, count: usize) -> Vec<DVec2> {
         }
     }
     particles
+}
+
+/// Places that a long way leads over at most.
+const MOST_PLACES: usize = 400;
+
+/// The steps of a passenger car's route over random places that is at least so long `[m]`; none where some hundred places are not enough.
+pub fn long_way(map: Map<'_>, length: f64, scratch: &mut RouteScratch) -> Option<Vec<RouteStep>> {
+    let car = VehicleClass::PassengerCar;
+    let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(car));
+    let lanes: Vec<Lane<'_>> = map.lanes().filter(open).collect();
+    let mut random = Random(5);
+    let (mut places, mut steps) = (Vec::new(), Vec::new());
+    let cost = ShortestLength::default();
+    for _ in 0..MOST_PLACES {
+        let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
+        let section = lane.section();
+        let s = 0.5 * (section.s_start() + section.s_end());
+        places.push(PositionOnLane { lane: lane.lane_id(), s });
+        if places.len() < 2 {
+            continue;
+        }
+        let found = map.route_via(&places, car, &cost, scratch, &mut steps);
+        match found.expect("an answer") {
+            Some(route) if route.length >= length => return Some(steps),
+            Some(_) => {}
+            None => {
+                places.pop();
+            }
+        }
+    }
+    None
 }

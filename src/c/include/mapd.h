@@ -5306,7 +5306,8 @@ mapd_code mapd_reachable_to(const struct mapd_snapshot *snapshot,
 /*
  All sequences of lanes that a vehicle can follow from a place without changing lanes (`ahead` not 0), or on which it can have come there,
  until each is `distance` [m] long or ends. `out` gets the lanes of all sequences one behind the other, `ends` where each ends in `out`.
- `truncated`: 1 where there are more sequences than are listed; null is fine.
+ `truncated`: 1 where there are more sequences than the 1,024 that are listed; null is fine. `mapd_reach` has each lane once, however many ways
+ lead over it.
 
  Errors: as `mapd_route`.
  */

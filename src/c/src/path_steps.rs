@@ -201,9 +201,11 @@ pub unsafe extern "C" fn mapd_steps_length(
         answer(error, || {
             let map = map_of(snapshot)?;
             let mut sum = 0.0;
-            for step in entries(steps, step_count, "the steps")? {
-                let step = step_of(*step)?;
-                sum += map.lane(step.lane)?.length_between(step.s_from, step.s_to);
+            for (number, step) in entries(steps, step_count, "the steps")?.iter().enumerate() {
+                let of_step = |wrong: Failure| wrong.of_entry(number);
+                let step = step_of(*step).map_err(of_step)?;
+                let lane = map.lane(step.lane).map_err(|wrong| of_step(wrong.into()))?;
+                sum += lane.length_between(step.s_from, step.s_to);
             }
             put(out, sum)
         })

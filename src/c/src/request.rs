@@ -100,6 +100,7 @@ impl From<RouteError> for Failure {
         let code = match error {
             RouteError::Start { source, .. }
             | RouteError::Goal { source, .. }
+            | RouteError::Place { source, .. }
             | RouteError::Avoid { source, .. }
             | RouteError::Query(source) => Self::from(source).code(),
             _ => mapd_code::ARGUMENT,

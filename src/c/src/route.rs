@@ -185,8 +185,8 @@ pub(crate) unsafe fn take_steps(
     into: &mut Vec<RouteStep>,
 ) -> Result<(), Failure> {
     into.clear();
-    for step in unsafe { entries(steps, count, "the steps") }? {
-        into.push(step_of(*step)?);
+    for (number, step) in unsafe { entries(steps, count, "the steps") }?.iter().enumerate() {
+        into.push(step_of(*step).map_err(|wrong| wrong.of_entry(number))?);
     }
     Ok(())
 }
@@ -346,7 +346,8 @@ pub unsafe extern "C" fn mapd_reachable_to(
 
 /// All sequences of lanes that a vehicle can follow from a place without changing lanes (`ahead` not 0), or on which it can have come there,
 /// until each is `distance` \[m\] long or ends. `out` gets the lanes of all sequences one behind the other, `ends` where each ends in `out`.
-/// `truncated`: 1 where there are more sequences than are listed; null is fine.
+/// `truncated`: 1 where there are more sequences than the 1,024 that are listed; null is fine. `mapd_reach` has each lane once, however many ways
+/// lead over it.
 ///
 /// Errors: as `mapd_route`.
 #[unsafe(no_mangle)]

@@ -15,6 +15,12 @@ const SMALL_HALF_ANGLE: f64 = 1e-4;
 /// start of a full circle does not throw the foot one turn further.
 const SNAP: f64 = 1e-9;
 
+/// A point's distance from the centre, as a share of the radius, from which on its feet are told apart.
+const MIN_ROOM: f64 = 0.2;
+
+/// Turn of an arc `[rad]` by which a point's second foot has to lie beyond a range.
+const APART: f64 = 0.05;
+
 /// Position and tangent at `u`: a chord of length u·sinc(κu/2) in direction κu/2, and the double angle.
 #[inline]
 pub(crate) fn frame(curvature: f64, u: f64) -> LocalPoint {
@@ -46,6 +52,21 @@ pub(crate) fn project_inside(curvature: f64, target: DVec2, lo: f64, hi: f64) ->
     }
     let u = libm::atan(along / towards) / curvature;
     (lo <= u && u <= hi).then_some(u)
+}
+
+/// As [`project_inside`], and what it means where there is none: whether no place in [lo, hi] has `target` at a right angle beside it. None where an arc turns too far, or the point is too near to its centre, to tell.
+#[inline]
+pub(crate) fn only_foot(curvature: f64, target: DVec2, lo: f64, hi: f64) -> Option<Option<f64>> {
+    let (along, towards) = (curvature * target.x, 1.0 - curvature * target.y);
+    let is_far = along * along + towards * towards >= MIN_ROOM * MIN_ROOM;
+    let is_ahead = lo * curvature.abs() >= -APART;
+    if !(curvature.abs() >= STRAIGHT && towards > 0.0 && is_far && is_ahead) {
+        return None;
+    }
+    let u = libm::atan(along / towards) / curvature;
+    // The next one is on the other side of the centre, half a turn ahead; the one half a turn behind lies before the start.
+    let other = u + (PI - APART) / curvature.abs();
+    (other > hi).then_some((lo <= u && u <= hi).then_some(u))
 }
 
 /// The u ∈ [lo, hi] of the point nearest to `target`; among several turns, the one nearest to `seed`.

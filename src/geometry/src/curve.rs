@@ -41,6 +41,17 @@ enum Shape<'a> {
     Transformed(Transformed<'a>),
 }
 
+/// What a curve knows of a point's feet on it, the places that have the point at a right angle beside them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum OnlyFoot {
+    /// There is one: its u and its offset along the left normal `[m]`.
+    At([f64; 2]),
+    /// There is none.
+    Nowhere,
+    /// There may be any number.
+    Unknown,
+}
+
 impl<'a> Curve<'a> {
     /// Whether the curve is a line that does not end before u `[m]`.
     #[must_use]
@@ -219,6 +230,28 @@ impl<'a> Curve<'a> {
             let foot = self.project_from(x, y, seed, lo, hi);
             (!foot.clamped).then_some([foot.u, foot.lateral])
         })
+    }
+
+    /// The one place between `lo` and `hi` `[m]` of a line or an arc, which goes on before its start and behind its end, that has (`x`, `y`) `[m]`
+    /// at a right angle beside it: u and the offset along the left normal there `[m]`, the bits of [`beside`](Self::beside).
+    #[must_use]
+    #[inline]
+    pub fn only_foot(&self, x: f64, y: f64, lo: f64, hi: f64) -> OnlyFoot {
+        let target = self.start.localize(x, y);
+        let found = match &self.shape {
+            Shape::Line => Some((lo <= target.x && target.x <= hi).then_some(target.x)),
+            Shape::Arc { curvature } => arc::only_foot(*curvature, target, lo, hi),
+            _ => None,
+        };
+        match (found, &self.shape) {
+            (None, _) => OnlyFoot::Unknown,
+            (Some(None), _) => OnlyFoot::Nowhere,
+            (Some(Some(u)), Shape::Arc { curvature }) => {
+                let lateral = arc::lateral(*curvature, target);
+                if lateral.is_finite() { OnlyFoot::At([u, lateral]) } else { OnlyFoot::Unknown }
+            }
+            (Some(Some(u)), _) => OnlyFoot::At([u, target.y]),
+        }
     }
 
     /// The nearest point of the whole curve to (`x`, `y`) `[m]`; of equally near points the first.

@@ -50,7 +50,7 @@ pub use compile::{
     TransformError, TransformedCurve, compile,
 };
 pub use cubic::Cubic;
-pub use curve::Curve;
+pub use curve::{Curve, OnlyFoot};
 pub use point::{CurvePoint, Projection, Tangent};
 pub use primitive::{
     CurveKind, PARAMETER_PIECE, ParameterRange, Primitive, SPIRAL_PIECE, Start, TRANSFORMED_PIECE,

@@ -715,13 +715,14 @@ impl Map {
     }
 
     #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]
-    fn lane_sequences_ahead(
+    fn lane_sequences_ahead<'py>(
         &self,
-        start: &Bound<'_, PyAny>,
+        py: Python<'py>,
+        start: &Bound<'py, PyAny>,
         distance: f64,
         vehicle: &str,
-    ) -> PyResult<Vec<Vec<Lane>>> {
-        crate::route::sequences(&self.0, start, distance, vehicle)
+    ) -> PyResult<Bound<'py, PyAny>> {
+        crate::route::sequences(py, &self.0, start, distance, vehicle)
     }
 
     #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]

@@ -1,7 +1,7 @@
 //! Routes, what can be reached, and what lies ahead.
 
 use crate::batch::{Column, columns, fields, result};
-use crate::errors::query;
+use crate::errors::{query, routing};
 use crate::held::{Held, content, id};
 use crate::input::{column_of_any, place_of, vehicle_of};
 use crate::lane::Lane;
@@ -123,7 +123,7 @@ pub(crate) fn route<'py>(
             let route = map.route_via(&places, vehicle, &cost, &mut scratch, &mut steps)?;
             Ok((route, steps))
         })
-        .map_err(query)?;
+        .map_err(routing)?;
     route.map(|route| found_route(py, held, &route, &steps)).transpose()
 }
 
@@ -213,12 +213,13 @@ pub(crate) fn pieces_result<'py>(
 }
 
 /// Every way on without a change of lane.
-pub(crate) fn sequences(
+pub(crate) fn sequences<'py>(
+    py: Python<'py>,
     held: &Arc<Held>,
-    start: &Bound<'_, PyAny>,
+    start: &Bound<'py, PyAny>,
     distance: f64,
     vehicle: &str,
-) -> PyResult<Vec<Vec<Lane>>> {
+) -> PyResult<Bound<'py, PyAny>> {
     let map = held.map();
     let (start, vehicle) = (place_of(map, start)?, vehicle_of(vehicle)?);
     let mut found = LaneSequences::default();
@@ -226,7 +227,9 @@ pub(crate) fn sequences(
     let lanes = |ids: &[mapd_client::LaneId]| {
         ids.iter().map(|id| Lane::new(held, id.row())).collect::<Vec<_>>()
     };
-    Ok(found.iter().map(lanes).collect())
+    let sequences: Vec<_> = found.iter().map(lanes).collect();
+    let fields = fields!(py, sequences = sequences, truncated = found.truncated);
+    result(py, "LaneSequences", &fields)
 }
 
 /// Signals that one comes to without a change of lane.

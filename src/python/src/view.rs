@@ -1,7 +1,7 @@
 //! A map under what is laid over it, at a moment.
 
 use crate::batch::{Column, answer, columns, fields, result, speed_rule};
-use crate::errors::query;
+use crate::errors::{query, routing};
 use crate::held::{Held, content, id};
 use crate::input::{column, finite, lane_of_id, place_of, vehicle_of};
 use crate::lane::Lane;
@@ -330,7 +330,7 @@ impl View {
                 let mut scratch = RouteScratch::default();
                 self.view().route_via(&places, vehicle, &cost, &mut scratch, &mut steps)
             })
-            .map_err(query)?;
+            .map_err(routing)?;
         route.map(|route| found_route(py, &self.held, &route, &steps)).transpose()
     }
 

@@ -283,7 +283,7 @@ def test_ahead(asked: Asked) -> None:
 def test_sequences(asked: Asked) -> None:
     for question in asked.kinds["sequences"]:
         s, reach = question.f(1, 2)
-        found = asked.map.lane_sequences_ahead((question.numbers[0], s), reach)
+        found = asked.map.lane_sequences_ahead((question.numbers[0], s), reach).sequences
         assert [len(found), *(number for one in found for number in lanes(one))] == question.answer
 
 

@@ -116,7 +116,7 @@ def test_routes_and_what_can_be_reached(town: mapd.Map) -> None:
     assert town.route(("1:0:-1", 1.0), (goal.lane.id, goal.s), by="time", lane_change=1.0) is not None
     reached = town.reachable(start, route.length + 100.0)
     assert goal.lane.id in reached.lane and (np.diff(reached.cost) >= 0).all()
-    for sequence in town.lane_sequences_ahead(start, 200.0):
+    for sequence in town.lane_sequences_ahead(start, 200.0).sequences:
         assert sequence[0] == start.lane
     with pytest.raises(TypeError, match="place"):
         town.route("1:0:-1", goal)  # type: ignore[arg-type]

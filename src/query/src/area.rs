@@ -55,26 +55,61 @@ impl Slab<'_> {
 /// The slab of a segment of the lane's centre line, by its number within the line.
 #[inline]
 pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
+    let ends = segment_ends(lane.map.tables(), lane.section.row, lane.row, segment)?;
+    let (lo, hi) = exact_ends(lane, segment, ends)?;
+    let rows = lane.road.geometries();
+    let at = rows.partition_point(|g| g.s() <= 0.5 * (lo + hi)).saturating_sub(1);
+    slab_between(lane, (lo, hi), at, lane.road.piece(rows.get(at)?)?)
+}
+
+/// The slab around s, if it lies on the geometry of this number, whose piece this is.
+#[inline]
+pub(crate) fn slab_around<'a>(
+    lane: &Lane<'a>,
+    s: f64,
+    (at, piece): (usize, Piece<'a>),
+) -> Option<Slab<'a>> {
+    let points = lane.center_points();
+    let segment = if points.len() == 2 { 0 } else { segment_at(lane, s)? };
+    let ends = [points.station(segment)?, points.station(segment + 1)?];
+    let (lo, hi) = exact_ends(lane, segment, ends)?;
+    let (rows, middle) = (lane.road.geometries(), 0.5 * (lo + hi));
+    let begins = at == 0 || rows.get(at)?.s() <= middle;
+    let ends = rows.get(at + 1).is_none_or(|next| next.s() > middle);
+    if begins && ends { slab_between(lane, (lo, hi), at, piece) } else { None }
+}
+
+/// Both s of a segment of the lane's centre line from its stations; none where it has no area.
+#[inline]
+fn exact_ends(lane: &Lane<'_>, segment: usize, [a, b]: [f32; 2]) -> Option<(f64, f64)> {
     let count = usize::from(lane.row.center_count());
-    let [a, b] = segment_ends(lane.map.tables(), lane.section.row, lane.row, segment)?;
     if a == b && count > 2 {
         // Both sides of a jump, or records that hold for less than single precision tells apart: no area, as in the index.
         return None;
     }
     let (start, end) = (lane.section.s_start(), lane.section.s_end());
-    // Stored s has 24 bits; the ends and the joints of geometries are exact values, put back here.
+    // Stored s has 24 bits; the ends and the joints of geometries are exact values, put back here and in `slab_between`.
     let lo = if segment == 0 { start } else { (start + f64::from(a)).min(end) };
     let hi = if segment + 2 == count { end } else { (start + f64::from(b)).min(end) };
-    let middle = 0.5 * (lo + hi);
+    Some((lo, hi))
+}
+
+/// The slab between two s on the geometry of this number, whose piece this is.
+#[inline]
+fn slab_between<'a>(
+    lane: &Lane<'a>,
+    (lo, hi): (f64, f64),
+    at: usize,
+    piece: Piece<'a>,
+) -> Option<Slab<'a>> {
+    let (start, end) = (lane.section.s_start(), lane.section.s_end());
     let rows = lane.road.geometries();
-    let at = rows.partition_point(|g| g.s() <= middle).saturating_sub(1);
-    let geometry_start = if at == 0 { f64::NEG_INFINITY } else { rows.get(at)?.s() };
+    let geometry = rows.get(at)?;
+    let geometry_start = if at == 0 { f64::NEG_INFINITY } else { geometry.s() };
     let geometry_end = rows.get(at + 1).map_or_else(|| lane.road.reference_end(), |g| g.s());
     let slack = (end - start) * f64::from(f32::EPSILON);
     let s_lo = if (lo - geometry_start).abs() <= slack { geometry_start } else { lo };
     let s_hi = if (hi - geometry_end).abs() <= slack { geometry_end } else { hi };
-    let geometry = rows.get(at)?;
-    let piece = lane.road.piece(geometry)?;
     (s_lo <= s_hi).then_some(Slab { s_lo, s_hi, geometry, piece })
 }
 
@@ -201,13 +236,25 @@ impl<'a> SlabPosition<'a> {
     /// Heading of the reference line `[rad]`.
     #[inline]
     pub(crate) fn heading(&self, lane: &Lane<'_>) -> f64 {
-        let piece = lane.road.piece(self.geometry);
+        self.heading_on(lane.road.piece(self.geometry))
+    }
+
+    /// As [`Self::heading`], where the piece is known.
+    #[inline(always)]
+    fn heading_on(&self, piece: Option<Piece<'_>>) -> f64 {
         piece.map_or(0.0, |piece| normalize_angle(piece.curve.heading(self.at.s - piece.s)))
     }
 
     #[inline]
     pub(crate) fn position(&self, lane: &Lane<'_>) -> LanePosition {
         self.position_with(lane, self.heading(lane), lane.road.elevation(self.at))
+    }
+
+    /// As [`Self::position`], on a line or an arc.
+    #[inline]
+    pub(crate) fn position_on_simple(&self, lane: &Lane<'_>) -> LanePosition {
+        let heading = self.heading_on(lane.road.simple_piece(self.geometry));
+        self.position_with(lane, heading, lane.road.elevation(self.at))
     }
 
     /// As [`Self::position`], where the heading and height of the reference line are known.
@@ -264,6 +311,22 @@ pub(crate) fn place_inside<'a>(
     let beside = across.is_beside();
     let distance = if beside { across.border_distance(lane, slab, local) } else { 0.0 };
     Some(SlabPosition::new(slab, &across, (distance, false)))
+}
+
+/// The place of a point whose foot on a slab's geometry is known by u and lateral offset, if the slab holds it: `Some(None)` if it does
+/// not, none where rounding decides.
+#[inline]
+pub(crate) fn place_at_foot<'a>(
+    lane: &Lane<'a>,
+    slab: &Slab<'a>,
+    [u, lateral]: [f64; 2],
+) -> Option<Option<SlabPosition<'a>>> {
+    let across = Across::new(lane, slab, u, lateral);
+    if !across.is_beside() {
+        return Some(Some(SlabPosition::new(slab, &across, (0.0, false))));
+    }
+    let [low, high] = across.sides();
+    (across.t - high > EDGE || low - across.t > EDGE).then_some(None)
 }
 
 /// The place of a point with respect to one slab, wherever the point is; `local` is relative to the map's origin.

@@ -232,7 +232,11 @@ impl<'a> Lane<'a> {
     ///
     /// Errors: as [`Lane::position_of`].
     pub fn contains(&self, point: impl Into<Point>) -> Result<bool, QueryError> {
-        Ok(self.position_of(point)?.distance == 0.0)
+        let point = point.into();
+        if !is_place(point.xy) {
+            return Err(QueryError::NotFinite);
+        }
+        position::is_in(self, point.xy - self.map.origin()).ok_or(QueryError::Corrupt)
     }
 
     /// The points of the centre line.

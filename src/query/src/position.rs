@@ -1,6 +1,6 @@
 //! A point's place with respect to one lane as a whole.
 
-use crate::area::{SlabPosition, place, slab};
+use crate::area::{SlabPosition, place, place_at_foot, slab, slab_around};
 use crate::index;
 use crate::lane::Lane;
 use crate::nearest::round_up;
@@ -8,11 +8,89 @@ use crate::profile;
 use crate::types::LanePosition;
 use glam::DVec2;
 use mapd_archive::lane_flags;
+use mapd_geometry::OnlyFoot;
 
 /// Segments of a lane up to which all are looked at, and which are otherwise for a first bound on its distance.
 const PROBES: usize = 16;
 /// What single precision and records that begin beside a slab's end may cost a bound on a lane's distance `[m]`.
 const ROUNDING: f64 = 1e-3;
+
+/// Geometries of a lane's section up to which a point's foot is looked for on each.
+const GEOMETRIES: usize = 8;
+/// Nearness to the line's centre of curvature, as a share of the radius, below which stretches are looked at one by one.
+const MIN_CONTRACTION: f64 = 0.2;
+/// Nearness of a foot to an end of its stretch below which the next one may hold the point as well, per metre of the point's distance
+/// and at least this much `[m]`: well above what projecting rounds.
+const BESIDE_END: f64 = 1e-6;
+
+/// What the feet of a point on the reference line along a lane say of its place.
+enum Held<'a> {
+    /// One stretch alone holds it.
+    In(SlabPosition<'a>),
+    /// None does.
+    Nowhere,
+    /// That is to be seen.
+    Unknown,
+}
+
+/// The stretch that holds a point, where the lane's geometries are few lines and arcs on which the point has but one foot. A stretch
+/// holds no point without a foot on it.
+#[inline]
+fn held<'a>(lane: &Lane<'a>, local: DVec2) -> Held<'a> {
+    let (start, end) = (lane.section.s_start(), lane.section.s_end());
+    let rows = lane.road.geometries();
+    let first = rows.partition_point(|g| g.s() <= start).saturating_sub(1);
+    let mut foot: Option<(usize, [f64; 2])> = None;
+    for at in first..first + GEOMETRIES {
+        let next = rows.get(at + 1).map(|next| next.s()).filter(|next| *next < end);
+        let Some(piece) = rows.get(at).and_then(|g| lane.road.simple_piece(g)) else {
+            return Held::Unknown;
+        };
+        let (low, high) = (start - piece.s - ROUNDING, next.unwrap_or(end) - piece.s + ROUNDING);
+        match piece.curve.only_foot(local.x, local.y, low, high) {
+            OnlyFoot::At(own) if foot.is_none() => foot = Some((at, own)),
+            OnlyFoot::At(_) | OnlyFoot::Unknown => return Held::Unknown,
+            OnlyFoot::Nowhere => {}
+        }
+        if next.is_none() {
+            let Some((at, foot)) = foot else { return Held::Nowhere };
+            return held_at(lane, at, foot).unwrap_or(Held::Unknown);
+        }
+    }
+    Held::Unknown
+}
+
+/// As [`held`], where the only foot is known: on which geometry, and its u and lateral offset.
+#[inline]
+fn held_at<'a>(lane: &Lane<'a>, at: usize, [u, lateral]: [f64; 2]) -> Option<Held<'a>> {
+    let piece = lane.road.simple_piece(lane.road.geometries().get(at)?)?;
+    let s = piece.s + u;
+    let slab = slab_around(lane, s, (at, piece))?;
+    let margin = BESIDE_END * (1.0 + lateral.abs());
+    let is_apart = s - slab.s_lo > margin && slab.s_hi - s > margin;
+    if !is_apart || 1.0 - piece.curve.curvature(u) * lateral < MIN_CONTRACTION {
+        return None;
+    }
+    Some(place_at_foot(lane, &slab, [u, lateral])?.map_or(Held::Nowhere, Held::In))
+}
+
+/// Whether a lane's area holds a point: whether its distance by [`position_in`] is 0. None without an area.
+pub(crate) fn is_in(lane: &Lane<'_>, local: DVec2) -> Option<bool> {
+    match held(lane, local) {
+        Held::In(_) => Some(true),
+        Held::Nowhere if lane.row.center_count() > 1 => Some(false),
+        _ => Some(nearest_stretch(lane, local)?.distance == 0.0),
+    }
+}
+
+/// Position with respect to the whole lane: the nearest of its stretches; of equally near ones that nearer to the lane's centre, then the
+/// first.
+pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition> {
+    match held(lane, local) {
+        Held::In(found) => Some(found.position_on_simple(lane)),
+        _ => nearest_stretch(lane, local).map(|found| found.position(lane)),
+    }
+}
 
 /// Squared distance of a point from a segment in plan view `[m²]`.
 fn squared(point: DVec2, (a, b): (DVec2, DVec2)) -> f64 {
@@ -56,12 +134,12 @@ impl Lane<'_> {
     }
 }
 
-/// Position with respect to the whole lane: the nearest of its slabs; of equally near ones that nearer to the lane's centre, then the
-/// first. The index leaves out what is farther than the best so far, so that long lanes cost little more than short ones.
-pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition> {
+/// The nearest of a lane's slabs. The index leaves out what is farther than the best so far, so that long lanes cost little more than
+/// short ones.
+fn nearest_stretch<'a>(lane: &Lane<'a>, local: DVec2) -> Option<SlabPosition<'a>> {
     let points = lane.center_points();
     let segments = points.len().saturating_sub(1);
-    let mut best: Option<SlabPosition<'_>> = None;
+    let mut best: Option<SlabPosition<'a>> = None;
     let mut consider = |segment: usize| {
         let found = slab(lane, segment).map(|slab| place(lane, &slab, local));
         let key = |place: &SlabPosition<'_>| (place.distance, place.offset.abs(), place.s());
@@ -77,7 +155,7 @@ pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition>
         for segment in 0..segments {
             consider(segment);
         }
-        return best.map(|best| best.position(lane));
+        return best;
     }
     // The polyline says where to begin; what it excludes costs no projection.
     let probes = segments.min(PROBES);
@@ -110,7 +188,7 @@ pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition>
                 bound = consider(segment);
             }
         }
-        return best.map(|best| best.position(lane));
+        return best;
     }
     let own = lane.row_number();
     for probe in 0..probes {
@@ -132,5 +210,5 @@ pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition>
         }
         bound
     });
-    best.map(|best| best.position(lane))
+    best
 }

@@ -290,6 +290,23 @@ impl<'a> Road<'a> {
         Some(Piece { s: g.s(), curve })
     }
 
+    /// As [`Self::piece`], of lines and arcs alone: for less.
+    #[inline(always)]
+    pub(crate) fn simple_piece(&self, g: &'a ArchivedGeometryRow) -> Option<Piece<'a>> {
+        let kind = CurveKind::from_code(g.kind())?;
+        if kind != CurveKind::Line && kind != CurveKind::Arc {
+            return None;
+        }
+        let start = Start { x: g.x(), y: g.y(), heading: g.hdg(), cos: g.cos(), sin: g.sin() };
+        let coefficients = g.coefficients().of(self.map.tables().coefficients);
+        let curve = if kind == CurveKind::Line {
+            Curve::new(CurveKind::Line, start, g.length(), coefficients)?
+        } else {
+            Curve::new(CurveKind::Arc, start, g.length(), coefficients)?
+        };
+        Some(Piece { s: g.s(), curve })
+    }
+
     /// Every s at which a geometry, elevation, superelevation or lane offset record begins, and the reference line's end.
     pub fn shape_breaks(&self) -> impl Iterator<Item = f64> + use<'a> {
         let profiles = [self.row.elevations(), self.row.superelevations(), self.row.lane_offsets()];

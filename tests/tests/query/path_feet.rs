@@ -1,8 +1,10 @@
 //! Feet on a path without a hint: the nearest place of all.
 
 use crate::paths::each_path;
+use mapd_client::QueryError;
+use mapd_client::batch::Places;
 use mapd_client::glam::DVec2;
-use mapd_query::path::Path;
+use mapd_query::path::{Path, PathPositions};
 
 /// Points around each path.
 const POINTS: usize = 12;
@@ -22,7 +24,7 @@ fn points(path: &Path<'_, '_>, random: &mut mapd_tests::maps::Random) -> Vec<DVe
 #[test]
 fn no_place_of_the_path_is_nearer_than_the_foot() {
     each_path(|_, path, _, name, random| {
-        let (mut places, mut stations, mut feet) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut places, mut stations) = (Vec::new(), Vec::new());
         let mut along = 0.0;
         while along < path.length() {
             stations.push(along);
@@ -30,9 +32,8 @@ fn no_place_of_the_path_is_nearer_than_the_foot() {
         }
         path.at_batch(&stations, &mut places).expect("places");
         let points = points(path, random);
-        path.project_batch(&points, &mut feet).expect("feet");
-        for (point, foot) in points.iter().zip(&feet) {
-            assert_eq!(path.project(*point, None), Ok(*foot), "{name}");
+        for point in &points {
+            let foot = path.project(*point, None).expect("a foot");
             let away = places.iter().map(|own| own.position.truncate().distance(*point));
             let least = away.fold(f64::INFINITY, f64::min);
             assert!(foot.distance <= least + 1e-6, "{name}: {foot:?}, {least} of {point}");
@@ -42,6 +43,27 @@ fn no_place_of_the_path_is_nearer_than_the_foot() {
             let off = (there.distance(*point) - foot.distance).abs();
             assert!(joint || off < 1e-6, "{name}: {foot:?}, {off}");
         }
+    });
+}
+
+#[test]
+fn a_batch_has_the_answers_of_single_points_bit_for_bit() {
+    each_path(|_, path, _, name, random| {
+        let mut feet = PathPositions::default();
+        let points = points(path, random);
+        let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|point| (point.x, point.y)).unzip();
+        path.project_batch(Places { x: &x, y: &y, ..Places::default() }, &mut feet).expect("feet");
+        assert_eq!(feet.len(), points.len(), "{name}");
+        for (i, point) in points.iter().enumerate() {
+            assert_eq!(path.project(*point, None).ok(), feet.get(i), "{name}");
+        }
+        let ask = |x: &[f64], y: &[f64], feet: &mut PathPositions| {
+            path.project_batch(Places { x, y, ..Places::default() }, feet)
+        };
+        assert_eq!(ask(&x, &y[1..], &mut feet), Err(QueryError::Length("y")), "{name}");
+        let far = [x[0], x[1], f64::NAN];
+        assert_eq!(ask(&far, &y[..3], &mut feet), Err(QueryError::NotFiniteAt(2)), "{name}");
+        assert!(feet.is_empty() && feet.get(0).is_none(), "{name}");
     });
 }
 

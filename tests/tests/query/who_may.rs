@@ -2,7 +2,7 @@
 
 use mapd_client::glam::DVec2;
 use mapd_client::vocabulary::{Relation, VehicleClass};
-use mapd_client::{LaneTypes, NearestOptions};
+use mapd_client::{Lane, LanePosition, LaneTypes, NearestOptions, QueryError};
 use mapd_query::compiling::position_along;
 use mapd_query::rules::Basis;
 use mapd_query::rules::YieldsTo;
@@ -113,25 +113,48 @@ fn a_lane_that_is_used_both_ways_leads_both_ways() {
     }
 }
 
-/// What the index leaves out of `position_of` changes nothing: compared with all stretches of the lane.
+/// A lane's position of a point is the nearest of those in its stretches, one by one: what is left out changes nothing.
+fn check_position(name: &str, lane: &Lane<'_>, point: DVec2) {
+    let segments = 0..lane.center_line().len().saturating_sub(1);
+    let all = segments.filter_map(|i| position_along(lane, i, point, f64::INFINITY));
+    let all: Vec<LanePosition> = all.collect();
+    let key = |p: &LanePosition| (p.distance, p.offset_of_reference_line.abs(), p.s);
+    let nearest = all.iter().reduce(|a, b| if key(b) < key(a) { b } else { a });
+    let what = || format!("{name}: lane {} at {point}", lane.key());
+    let Some(nearest) = nearest else {
+        assert_eq!(lane.position_of(point), Err(QueryError::Corrupt), "{}", what());
+        assert_eq!(lane.contains(point), Err(QueryError::Corrupt), "{}", what());
+        return;
+    };
+    let found = lane.position_of(point).expect("a position");
+    // Where two stretches meet, either may answer.
+    assert!(key(&found) == key(nearest) && all.contains(&found), "{}: {found:?}", what());
+    assert_eq!(lane.contains(point), Ok(nearest.distance == 0.0), "{}", what());
+}
+
 #[test]
-fn a_position_on_a_long_lane_is_the_nearest_of_all_its_stretches() {
-    for path in carried_and(&["esmini/velodrome", "esmini/soderleden", "carla/Town05"]) {
-        let snapshot = open(&path);
+fn a_position_is_the_nearest_of_all_of_a_lanes_stretches() {
+    let maps = ["esmini/velodrome", "esmini/soderleden", "carla/Town05", "carla/Town03"];
+    for path in carried_and(&maps) {
+        let (name, snapshot) = (path.display().to_string(), open(&path));
         let map = snapshot.map();
         let mut random = Random(11);
-        let mut long: Vec<_> = map.lanes().collect();
-        long.sort_by_key(|lane| std::cmp::Reverse(lane.center_line().len()));
-        for lane in long.iter().take(6) {
-            for _ in 0..40 {
-                let point: DVec2 = random.point(map);
-                let found = lane.position_of(point).expect("a position");
-                let segments = 0..lane.center_line().len().saturating_sub(1);
-                let all = segments.filter_map(|i| position_along(lane, i, point, f64::INFINITY));
-                let nearest = all.map(|place| place.distance).fold(f64::INFINITY, f64::min);
-                assert_eq!(found.distance, nearest, "{}: lane {}", path.display(), lane.key());
-                let contains = lane.contains(point).expect("an answer");
-                assert_eq!(contains, nearest == 0.0, "{}: lane {}", path.display(), lane.key());
+        let mut lanes: Vec<_> = map.lanes().collect();
+        lanes.sort_by_key(|lane| std::cmp::Reverse(lane.center_line().len()));
+        for lane in lanes.iter().take(6) {
+            (0..40).for_each(|_| check_position(&name, lane, random.point(map)));
+        }
+        // Beside the lane, at its ends and where its stretches meet.
+        for lane in lanes.iter().filter(|lane| lane.number() != 0) {
+            let (start, end) = (lane.section().s_start(), lane.section().s_end());
+            let joint = lane.center_line().station(1).unwrap_or(start);
+            let inside = start + random.unit() * (end - start);
+            for s in [start, joint, inside, end] {
+                let offset = (random.unit() - 0.5) * 12.0;
+                for offset in [0.0, 0.5 * lane.width_at(s), offset] {
+                    let pose = lane.pose_at(s, offset).expect("a pose");
+                    check_position(&name, lane, pose.position.truncate());
+                }
             }
         }
     }

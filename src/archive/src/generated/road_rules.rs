@@ -15,7 +15,7 @@ pub(crate) const RULES: &[RoadRules] = &[
         country: "AU",
         from_side: Some(FromSide::Right),
         turn: true,
-        source: "Australian Road Rules r. 72",
+        source: "Australian Road Rules r. 72; r. 62 (1) for turns at lights",
     },
     RoadRules {
         country: "CH",
@@ -27,7 +27,7 @@ pub(crate) const RULES: &[RoadRules] = &[
         country: "CN",
         from_side: Some(FromSide::Right),
         turn: true,
-        source: "Implementation Regulations of the Road Traffic Safety Law Art. 52",
+        source: "Implementation Regulations of the Road Traffic Safety Law Art. 52 (2), (3)",
     },
     RoadRules {
         country: "DE",
@@ -39,9 +39,9 @@ pub(crate) const RULES: &[RoadRules] = &[
         country: "FR",
         from_side: Some(FromSide::Right),
         turn: true,
-        source: "Code de la route R415-4, R415-5",
+        source: "Code de la route R415-5; Vienna Convention on Road Traffic 1968 Art. 16 (2)",
     },
-    RoadRules { country: "GB", from_side: None, turn: true, source: "Highway Code rules 146, 180" },
+    RoadRules { country: "GB", from_side: None, turn: true, source: "Highway Code rule 180" },
     RoadRules {
         country: "JP",
         from_side: Some(FromSide::Left),
@@ -52,18 +52,18 @@ pub(crate) const RULES: &[RoadRules] = &[
         country: "NL",
         from_side: Some(FromSide::Right),
         turn: true,
-        source: "RVV 1990 art. 15, 18",
+        source: "RVV 1990 art. 15 (1), 18 (1)",
     },
     RoadRules {
         country: "SE",
         from_side: Some(FromSide::Right),
         turn: true,
-        source: "Trafikförordning 3 kap. 18 §",
+        source: "Trafikförordning (1998:1276) 3 kap. 18 §, 24 §",
     },
     RoadRules {
         country: "US",
         from_side: Some(FromSide::Right),
         turn: true,
-        source: "Uniform Vehicle Code § 11-401, § 11-402; states differ",
+        source: "by state: California Vehicle Code § 21800, § 21801; New York VAT § 1140; Pennsylvania 75 § 3321",
     },
 ];

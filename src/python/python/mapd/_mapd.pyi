@@ -43,6 +43,7 @@ from ._results import (
     Landmark,
     LandmarkInView,
     LanePosition,
+    LaneSequences,
     Lines,
     NearMark,
     Nearest,
@@ -560,8 +561,8 @@ class Map:
         """Pieces of lanes from whose beginning a place can be reached within a limit [m, or s by time], nearest first."""
     def lane_sequences_ahead(
         self, start: _Place, distance: float, *, vehicle: str = "passengerCar"
-    ) -> list[list[Lane]]:
-        """All sequences of lanes that one can follow without a change of lane, until each is `distance` [m] long."""
+    ) -> LaneSequences:
+        """All sequences of lanes that one can follow without a change of lane, until each is `distance` [m] long; at most 1,024."""
     def signals_ahead(
         self, start: _Place, distance: float, *, vehicle: str = "passengerCar"
     ) -> list[SignalAhead]:

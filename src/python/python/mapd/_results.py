@@ -297,6 +297,14 @@ class Reach(NamedTuple):
     """How one goes on from each piece to others; against driving direction where goals were given."""
 
 
+class LaneSequences(NamedTuple):
+    """All ways on without a change of lane, each a list of lanes."""
+
+    sequences: list[list[Lane]]
+    truncated: bool
+    """Whether there are more than the 1,024 that are listed; `Map.reach` has each lane once, however many ways lead over it."""
+
+
 class LaneLine(NamedTuple):
     """A stop line or crossing on a lane."""
 

@@ -2,8 +2,8 @@
 
 use super::along::tangent;
 use super::arc::Near;
-use super::boxes::WIDTH;
-use super::{Path, Span};
+use super::boxes::{WIDTH, Wanted, least, within};
+use super::{Path, PathBuffer, Span};
 use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::types::{Clamped, is_place};
@@ -115,21 +115,6 @@ impl<'b> Path<'_, 'b> {
         })
     }
 
-    /// As [`Path::project`] without a hint, for many points; `out` is emptied first.
-    ///
-    /// Errors: as [`Path::project`].
-    pub fn project_batch(
-        &self,
-        points: &[DVec2],
-        out: &mut Vec<PathPosition>,
-    ) -> Result<(), QueryError> {
-        out.clear();
-        points.iter().try_for_each(|point| {
-            out.push(self.project(*point, None)?);
-            Ok(())
-        })
-    }
-
     /// The nearest place around a hint; none where it is the end of the stretch that is looked at.
     fn near_hint(&self, local: DVec2, hint: f64) -> Option<Foot<'b>> {
         let (low, high) = (hint - HINT_REACH, hint + HINT_REACH);
@@ -143,8 +128,11 @@ impl<'b> Path<'_, 'b> {
 
     /// The nearest place of the spans that reach between two S.
     fn nearest(&self, local: DVec2, among: [f64; 2]) -> Option<Foot<'b>> {
-        let mut search = Search { path: *self, local, among, best: None, bound: f64::MAX };
-        search.under(self.buffer.boxes.top(), 0);
+        let boxes = &self.buffer.boxes;
+        let wanted = boxes.wanted(local, among);
+        // What is infinite lies elsewhere.
+        let mut search = Search { path: *self, local, wanted, best: None, bound: f32::MAX };
+        search.under(boxes.top(), 0);
         search.best
     }
 
@@ -190,60 +178,45 @@ impl<'b> Path<'_, 'b> {
 struct Search<'a, 'b> {
     path: Path<'a, 'b>,
     local: DVec2,
-    /// S between which spans count that have a part there.
-    among: [f64; 2],
+    wanted: Wanted,
     best: Option<Foot<'b>>,
     /// Square of the distance beyond which nothing is looked at: the best one's and the largest slack.
-    bound: f64,
+    bound: f32,
 }
 
 impl<'b> Search<'_, 'b> {
     /// Looks at what lies under a box, the nearest first.
     fn under(&mut self, level: usize, number: usize) {
-        let first = number * WIDTH;
-        let buffer = self.path.buffer;
-        let mut squares = [f64::INFINITY; WIDTH];
-        if level == 0 {
-            let chords = buffer.boxes.chords().get(first..).unwrap_or(&[]);
-            for (square, own) in squares.iter_mut().zip(chords) {
-                *square = own.squared_distance(self.local, self.among);
-            }
-        } else {
-            let below = buffer.boxes.level(level - 1).get(first..).unwrap_or(&[]);
-            for (square, own) in squares.iter_mut().zip(below) {
-                *square = own.squared_distance(self.local, self.among);
-            }
-        }
-        // The nearest one bounds the search for the others.
-        let nearest = (1..WIDTH).fold(0, |a, b| if squares[b] < squares[a] { b } else { a });
-        self.look_at(level, first + nearest, squares[nearest]);
-        squares[nearest] = f64::INFINITY;
-        for (i, square) in squares.into_iter().enumerate() {
-            self.look_at(level, first + i, square);
-        }
-    }
-
-    /// Looks at a span, or at what lies under a box of the level below, unless it is too far away.
-    #[inline(always)]
-    fn look_at(&mut self, level: usize, number: usize, squared: f64) {
-        if squared > self.bound {
+        let squares = self.path.buffer.boxes.squared_distances(level, number, &self.wanted);
+        let least = least(&squares);
+        if least > self.bound {
             return;
         }
-        if level > 0 {
-            self.under(level - 1, number);
-        } else if let Some(span) = self.path.buffer.spans.get(number) {
-            self.look_at_span(span, squared);
+        let nearest = within(&squares, least).trailing_zeros() as usize;
+        // The nearest one bounds the search for the others.
+        self.look_at(level, number * WIDTH + nearest, least);
+        let mut open = within(&squares, self.bound) & !(1 << nearest);
+        while open != 0 {
+            let i = open.trailing_zeros() as usize;
+            open &= open - 1;
+            if squares[i] <= self.bound {
+                self.look_at(level, number * WIDTH + i, squares[i]);
+            }
         }
     }
 
-    fn look_at_span(&mut self, span: &'b Span, squared: f64) {
-        if let Some(best) = &self.best {
-            let reach = best.distance + span.slack + EQUAL;
-            if squared > reach * reach {
-                return;
-            }
+    /// Looks at a span, or at what lies under a box of the level below.
+    #[inline(always)]
+    fn look_at(&mut self, level: usize, number: usize, squared: f32) {
+        if level > 0 {
+            return self.under(level - 1, number);
         }
-        if let Some(foot) = self.path.foot(span, self.local) {
+        let Some(span) = self.path.buffer.spans.get(number) else { return };
+        let boxes = &self.path.buffer.boxes;
+        let is_near = |best: &Foot<'_>| squared <= boxes.reach(best.distance + span.slack + EQUAL);
+        if self.best.as_ref().is_none_or(is_near)
+            && let Some(foot) = self.path.foot(span, self.local)
+        {
             self.consider(foot);
         }
     }
@@ -269,7 +242,7 @@ impl<'b> Search<'_, 'b> {
     }
 
     fn take(&mut self, foot: Foot<'b>) {
-        let reach = foot.distance + self.path.buffer.slack + EQUAL;
-        (self.best, self.bound) = (Some(foot), reach * reach);
+        let PathBuffer { boxes, slack, .. } = self.path.buffer;
+        (self.best, self.bound) = (Some(foot), boxes.reach(foot.distance + slack + EQUAL));
     }
 }

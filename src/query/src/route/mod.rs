@@ -37,7 +37,6 @@ pub use sequences::{LaneSequences, NextJunction};
 pub use steps::{Enter, LaneChangeAhead, RouteStep, next_lane_change};
 pub(crate) use ways::Ways;
 
-use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::map::Map;
 use mapd_archive::VehicleClass;
@@ -77,7 +76,7 @@ impl<'a> Map<'a> {
     /// The lane of the start may be any; every other one must be open to the vehicle. Equal costs are decided by the order
     /// of lanes in the archive.
     ///
-    /// Errors: ids of another map; an s that is no finite number.
+    /// Errors: [`RouteError::Place`] with the number 0 for the start and 1 for the goal: an id of another map, an s that is no finite number.
     pub fn route(
         &self,
         from: PositionOnLane,
@@ -86,14 +85,14 @@ impl<'a> Map<'a> {
         cost: &impl RouteCost,
         scratch: &mut RouteScratch,
         steps: &mut Vec<RouteStep>,
-    ) -> Result<Option<Route>, QueryError> {
+    ) -> Result<Option<Route>, RouteError> {
         self.route_via(&[from, to], vehicle, cost, scratch, steps)
     }
 
     /// As [`Map::route`], through all of these places in their order. Each leg is the cheapest by itself, starting in the
     /// direction in which the one before arrives. Fewer than two places have no route.
     ///
-    /// Errors: as [`Map::route`].
+    /// Errors: as [`Map::route`], by the number of the place.
     pub fn route_via(
         &self,
         places: &[PositionOnLane],
@@ -101,7 +100,7 @@ impl<'a> Map<'a> {
         cost: &impl RouteCost,
         scratch: &mut RouteScratch,
         steps: &mut Vec<RouteStep>,
-    ) -> Result<Option<Route>, QueryError> {
+    ) -> Result<Option<Route>, RouteError> {
         find_via(*self, places, vehicle, cost, scratch, steps)
     }
 
@@ -151,10 +150,11 @@ pub(crate) fn find_via<'a>(
     cost: &impl RouteCost,
     scratch: &mut RouteScratch,
     steps: &mut Vec<RouteStep>,
-) -> Result<Option<Route>, QueryError> {
+) -> Result<Option<Route>, RouteError> {
     steps.clear();
-    for place in places {
-        request::check_place(ways.map(), place)?;
+    for (number, place) in places.iter().enumerate() {
+        let wrong = |source| RouteError::Place { number, source };
+        request::check_place(ways.map(), place).map_err(wrong)?;
     }
     let mut whole: Option<Route> = None;
     let mut forward = None;

@@ -79,7 +79,7 @@ impl RouteEnd {
     }
 }
 
-/// Why a request has no answer. Starts, goals and lanes are counted from 0.
+/// Why a request has no answer. Starts, goals, places and lanes are counted from 0.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum RouteError {
@@ -94,6 +94,14 @@ pub enum RouteError {
     /// A goal cannot be asked.
     #[error("goal {number}: {source}")]
     Goal {
+        /// Which one.
+        number: usize,
+        /// What is wrong with it.
+        source: QueryError,
+    },
+    /// A place of a way through several cannot be asked: the first one is the start, the last one the goal.
+    #[error("place {number}: {source}")]
+    Place {
         /// Which one.
         number: usize,
         /// What is wrong with it.
@@ -121,6 +129,7 @@ impl From<RouteError> for QueryError {
         match error {
             RouteError::Start { source, .. }
             | RouteError::Goal { source, .. }
+            | RouteError::Place { source, .. }
             | RouteError::Avoid { source, .. }
             | RouteError::Query(source) => source,
             RouteError::Option(_) => Self::NotFinite,

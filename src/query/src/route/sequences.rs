@@ -22,7 +22,7 @@ pub struct LaneSequences {
     lanes: Vec<LaneId>,
     /// End of each sequence in `lanes`.
     ends: Vec<usize>,
-    /// Whether there are more sequences than are listed.
+    /// Whether there are more sequences than the 1,024 that are listed. [`Map::reach`] has each lane once, however many ways lead over it.
     pub truncated: bool,
     /// Nodes of the sequence that is being followed, with the distance at their end and the next edge to try.
     open: Vec<(u32, f64, usize)>,
@@ -67,7 +67,8 @@ impl LaneSequences {
 
 impl<'a> Map<'a> {
     /// All sequences of lanes that a vehicle can follow from a place without changing lanes, until each is `distance` long
-    /// or ends.
+    /// or ends. At most 1,024 are listed, and [`LaneSequences::truncated`] says whether there are more: their number doubles with each
+    /// fork. [`Map::reach`] merges what they have in common.
     ///
     /// Errors: ids of another map; numbers that are not finite.
     pub fn lane_sequences_ahead(

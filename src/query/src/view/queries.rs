@@ -232,7 +232,7 @@ impl<'a> View<'a> {
         cost: &impl RouteCost,
         scratch: &mut RouteScratch,
         steps: &mut Vec<RouteStep>,
-    ) -> Result<Option<Route>, QueryError> {
+    ) -> Result<Option<Route>, RouteError> {
         self.route_via(&[from, to], vehicle, cost, scratch, steps)
     }
 
@@ -246,7 +246,7 @@ impl<'a> View<'a> {
         cost: &impl RouteCost,
         scratch: &mut RouteScratch,
         steps: &mut Vec<RouteStep>,
-    ) -> Result<Option<Route>, QueryError> {
+    ) -> Result<Option<Route>, RouteError> {
         if self.overlay.is_none() {
             return self.map.route_via(places, vehicle, cost, scratch, steps);
         }
