@@ -23,8 +23,8 @@ const BOUNDS: [(&str, u64); 12] = [
     ("inertial", 520),
     ("inertial-trajectory", 515),
     ("track", 755),
-    ("position", 1_620),
-    ("contains", 1_120),
+    ("position", 1_650),
+    ("contains", 1_155),
     ("near", 34_200),
     ("near-few", 6_925),
     ("short-length", 1_175),
@@ -37,11 +37,11 @@ const CLOUDS: [usize; 2] = [1, 3];
 
 /// Kinds of [`path_probe`](planner/src/bin/path_probe.rs), on a path of at least 500 m over the carried town and between its ends, as for queries.
 const PATH_BOUNDS: [(&str, u64); 10] = [
-    ("project", 1_265),
+    ("project", 970),
     ("at", 3_140),
-    ("build", 720_000),
-    ("corridor", 183_600),
-    ("surface", 549_400),
+    ("build", 727_000),
+    ("corridor", 184_400),
+    ("surface", 556_800),
     ("segments", 11_450),
     ("conflicts", 1_290_000),
     ("request", 33_300),
@@ -49,7 +49,7 @@ const PATH_BOUNDS: [(&str, u64); 10] = [
     ("reach", 75_850),
 ];
 /// Instructions that one point may take in a batch of 1,000, as for queries.
-const PATH_POINT: f64 = 1_437.0;
+const PATH_POINT: f64 = 1_250.0;
 /// How many points a batch of [`path_probe`](planner/src/bin/path_probe.rs) has, and how many batches.
 const PATH_POINTS: f64 = 1_000.0;
 const PATH_BATCHES: [usize; 2] = [1, 3];

@@ -46,7 +46,8 @@ fn held<'a>(lane: &Lane<'a>, local: DVec2) -> Held<'a> {
         let Some(piece) = rows.get(at).and_then(|g| lane.road.simple_piece(g)) else {
             return Held::Unknown;
         };
-        let (low, high) = (start - piece.s - ROUNDING, next.unwrap_or(end) - piece.s + ROUNDING);
+        let low = (start - piece.s).max(0.0) - ROUNDING;
+        let high = (next.unwrap_or(end) - piece.s).min(piece.curve.length()) + ROUNDING;
         match piece.curve.only_foot(local.x, local.y, low, high) {
             OnlyFoot::At(own) if foot.is_none() => foot = Some((at, own)),
             OnlyFoot::At(_) | OnlyFoot::Unknown => return Held::Unknown,
@@ -67,7 +68,9 @@ fn held_at<'a>(lane: &Lane<'a>, at: usize, [u, lateral]: [f64; 2]) -> Option<Hel
     let s = piece.s + u;
     let slab = slab_around(lane, s, (at, piece))?;
     let margin = BESIDE_END * (1.0 + lateral.abs());
-    let is_apart = s - slab.s_lo > margin && slab.s_hi - s > margin;
+    let is_apart = s - slab.s_lo > margin
+        && slab.s_hi - s > margin
+        && (0.0..=piece.curve.length()).contains(&u);
     if !is_apart || 1.0 - piece.curve.curvature(u) * lateral < MIN_CONTRACTION {
         return None;
     }
