@@ -5,6 +5,8 @@ use mapd_client::QueryError;
 use mapd_client::geodesy::{DefinitionError, ProjectionError};
 #[cfg(feature = "svg")]
 use mapd_client::path::PathError;
+#[cfg(feature = "svg")]
+use mapd_client::route::RouteError;
 use std::io;
 
 /// Why a map cannot be written.
@@ -35,6 +37,10 @@ pub enum ExportError {
     /// The route that is to be drawn is none: why.
     #[error("{0}")]
     NoRoute(String),
+    /// The route cannot be asked for, as on a damaged archive.
+    #[cfg(feature = "svg")]
+    #[error(transparent)]
+    Route(#[from] RouteError),
     /// The route has no path, as on a damaged archive.
     #[cfg(feature = "svg")]
     #[error(transparent)]
