@@ -255,7 +255,7 @@ fn hostile_names_do_nothing() {
     assert!(found.as_str().is_some_and(|text| text.contains(hostile)), "{found}");
     assert_eq!(
         browser.evaluate("[document.title, document.images.length, document.scripts.length]"),
-        json!(["map", 0, 4])
+        json!(["map", 0, 5])
     );
     assert_eq!(browser.complaints, [""; 0]);
 }
