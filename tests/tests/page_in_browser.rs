@@ -57,6 +57,9 @@ fn questions(map: Map<'_>) -> Vec<Question<'static>> {
     for i in 0..PLACES {
         let (from, to) = (random.point(map).to_array(), random.point(map).to_array());
         questions.extend([Question::Place(from), Question::Pick(from, 2.0)]);
+        let projector = map.projector().ok();
+        let place = projector.and_then(|one| one.to_geodetic([from[0], from[1], 0.0].into()).ok());
+        questions.extend(place.map(|place| Question::Geodetic([place.latitude, place.longitude])));
         if i < WAYS {
             questions.push(Question::Way(from, to));
         }
@@ -73,6 +76,7 @@ fn questions(map: Map<'_>) -> Vec<Question<'static>> {
 fn asked(question: &Question<'_>) -> Value {
     match question {
         Question::Place([x, y]) => json!(["place", x, y]),
+        Question::Geodetic([latitude, longitude]) => json!(["geodetic", latitude, longitude]),
         Question::Pick([x, y], radius) => json!(["pick", x, y, radius]),
         Question::Way([a, b], [c, d]) => json!(["way", a, b, c, d]),
         Question::Sheet(link) => json!(["sheet", link.kind as usize, link.row]),

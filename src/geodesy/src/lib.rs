@@ -16,11 +16,14 @@
 //! assert!(projector.from_geodetic(place).unwrap().distance([500_000.0, 5_320_000.0, 12.0].into()) < 1e-6);
 //! ```
 
+#[cfg(not(target_family = "wasm"))]
+mod by_proj4rs;
 mod datum;
 mod ellipsoid;
 mod offset;
 #[cfg(feature = "read")]
 mod parameters;
+mod plain;
 mod plane;
 mod projector;
 #[cfg(feature = "read")]

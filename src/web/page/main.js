@@ -216,8 +216,9 @@ class Viewer {
 
   hover(px, py) {
     const [x, y] = this.far(this.camera.toGround(px, py));
-    const { lane } = this.queries.place(x, y), parts = [`x ${x.toFixed(2)}`, `y ${y.toFixed(2)}`];
+    const { lane, geodetic } = this.queries.place(x, y), parts = [`x ${x.toFixed(2)}`, `y ${y.toFixed(2)}`];
     if (lane) parts.push(`z ${lane.z.toFixed(2)}`, `${lane.distance ? "beside lane" : "lane"} ${lane.key} (${lane.kind})`, `s ${lane.s.toFixed(2)}`, `t ${lane.t.toFixed(2)}`);
+    if (geodetic) parts.push(`lat ${geodetic[0].toFixed(7)}°`, `lon ${geodetic[1].toFixed(7)}°`);
     $("here").textContent = parts.join("   ");
   }
 

@@ -65,6 +65,7 @@ class Queries {
   }
 
   place(x, y) { return this.ask("place", x, y); }
+  geodetic(latitude, longitude) { return this.ask("geodetic", latitude, longitude); }
   pick(x, y, radius) { return this.ask("pick", x, y, radius); }
   sheet(link) { return this.ask("sheet", KINDS.indexOf(link.kind), link.row); }
   way(from, to) { return this.ask("way", ...from, ...to); }

@@ -16,7 +16,11 @@ class Search {
   look() {
     const text = $("text").value, numbers = text.match(/^\s*(-?\d+(?:\.\d+)?)[\s,;]+(-?\d+(?:\.\d+)?)\s*$/);
     const place = numbers ? [{ text: `place x ${numbers[1]} m, y ${numbers[2]} m`, place: [Number(numbers[1]), Number(numbers[2])] }] : [];
-    this.show([...place, ...this.viewer.queries.find(text)]);
+    // Two numbers may be a latitude and longitude, too, if there is such a place on the map.
+    const there = numbers && this.viewer.queries.geodetic(Number(numbers[1]), Number(numbers[2])), [low, high] = this.viewer.map.bounds;
+    const isOnMap = there && !there.error && there.x >= low[0] && there.x <= high[0] && there.y >= low[1] && there.y <= high[1];
+    const onEarth = isOnMap ? [{ text: `place at latitude ${numbers[1]}°, longitude ${numbers[2]}°`, place: [there.x, there.y] }] : [];
+    this.show([...onEarth, ...place, ...this.viewer.queries.find(text)]);
   }
 
   show(found) {

@@ -125,6 +125,12 @@ extern "C" fn place(x: f64, y: f64) -> usize {
     ask(|_| Some(Question::Place([x, y])))
 }
 
+/// [`Question::Geodetic`].
+#[unsafe(no_mangle)]
+extern "C" fn geodetic(latitude: f64, longitude: f64) -> usize {
+    ask(|_| Some(Question::Geodetic([latitude, longitude])))
+}
+
 /// [`Question::Pick`].
 #[unsafe(no_mangle)]
 extern "C" fn pick(x: f64, y: f64, radius: f64) -> usize {

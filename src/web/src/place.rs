@@ -2,7 +2,8 @@
 
 use crate::drawing::level;
 use crate::sheet::{Kind, Link};
-use mapd_query::glam::DVec2;
+use mapd_query::geodesy::Geodetic;
+use mapd_query::glam::{DVec2, DVec3};
 use mapd_query::{Map, Nearest, NearestOptions, QueryError};
 use serde::Serialize;
 
@@ -16,6 +17,8 @@ pub struct PlanPoint {
     pub x: f64,
     /// Inertial `[m]`.
     pub y: f64,
+    /// Latitude and longitude `[deg]`, if the map has a georeference whose projection this build has.
+    pub geodetic: Option<[f64; 2]>,
     /// The lane at the place, or beside it.
     pub lane: Option<LaneHere>,
 }
@@ -66,7 +69,21 @@ impl PlanPoint {
                 heading: position.heading,
             })
         });
-        Ok(Self { x, y, lane })
+        let z = lane.as_ref().map_or(map.bounds().low.z, |lane| lane.z);
+        let projector = map.projector().ok();
+        let place = projector.and_then(|one| one.to_geodetic(DVec3::new(x, y, z)).ok());
+        let geodetic = place.map(|place| [place.latitude, place.longitude]);
+        Ok(Self { x, y, geodetic, lane })
+    }
+
+    /// What lies at a latitude and longitude `[deg]`.
+    ///
+    /// Errors: a sentence that says why there is no such place on the map.
+    pub fn at_geodetic(map: Map<'_>, latitude: f64, longitude: f64) -> Result<Self, String> {
+        let projector = map.projector().map_err(|error| error.to_string())?;
+        let place = Geodetic { latitude, longitude, altitude: map.bounds().low.z };
+        let point = projector.from_geodetic(place).map_err(|error| error.to_string())?;
+        Self::at(map, point.x, point.y).map_err(|error| error.to_string())
     }
 }
 

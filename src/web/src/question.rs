@@ -21,6 +21,8 @@ pub enum Question<'a> {
     Map,
     /// What lies at x and y `[m]`: [`PlanPoint`].
     Place([f64; 2]),
+    /// What lies at a latitude and longitude `[deg]`: [`PlanPoint`].
+    Geodetic([f64; 2]),
     /// What can be chosen at x and y within a radius `[m]`: links.
     Pick([f64; 2], f64),
     /// What is known of a thing: [`Sheet`].
@@ -86,6 +88,9 @@ impl Question<'_> {
         let json = match self {
             Self::Map => json(&overview(map)),
             Self::Place([x, y]) => result(PlanPoint::at(map, *x, *y)),
+            Self::Geodetic([latitude, longitude]) => {
+                result(PlanPoint::at_geodetic(map, *latitude, *longitude))
+            }
             Self::Pick([x, y], radius) => result(pick(map, *x, *y, *radius)),
             Self::Sheet(link) => {
                 drawing = Some(way::highlight(map, *link));
