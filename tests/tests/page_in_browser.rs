@@ -86,6 +86,17 @@ fn asked(question: &Question<'_>) -> Value {
     }
 }
 
+/// Maps whose frame proj4rs alone computes, which a page does not have: it names no latitudes and longitudes there.
+const ONLY_BY_PROJ4RS: [&str; 1] = ["soderleden.xodr"];
+
+/// An answer without latitudes and longitudes.
+fn without_geodetic(answer: &str) -> String {
+    const NAME: &str = r#""geodetic":["#;
+    let Some((before, rest)) = answer.split_once(NAME) else { return answer.to_owned() };
+    let (_, after) = rest.split_once(']').expect("a list");
+    format!(r#"{before}"geodetic":null{after}"#)
+}
+
 /// Asks all at once.
 const ASK: &str = "(questions => questions.map(([name, ...of]) => {
     const { queries } = viewer;
@@ -99,13 +110,18 @@ fn the_page_answers_as_the_native_build() {
     for path in carried_and(&["carla/Town05", "esmini/soderleden"]) {
         let snapshot = under_works(open(&path));
         let Some(mut browser) = browser(&snapshot) else { return };
-        let questions = questions(snapshot.map());
+        let mut questions = questions(snapshot.map());
+        let is_excepted = ONLY_BY_PROJ4RS.iter().any(|name| path.ends_with(name));
+        questions.retain(|question| !is_excepted || !matches!(question, Question::Geodetic(_)));
         let list = Value::from(questions.iter().map(asked).collect::<Vec<_>>());
         let answers = browser.evaluate(&format!("{ASK}({list})"));
         let answers = answers.as_array().expect("answers");
         assert_eq!(answers.len(), questions.len());
         for (question, answer) in questions.iter().zip(answers) {
-            let expected = question.answer(snapshot.view(UNIX_EPOCH)).json;
+            let mut expected = question.answer(snapshot.view(UNIX_EPOCH)).json;
+            if is_excepted {
+                expected = without_geodetic(&expected);
+            }
             assert_eq!(
                 answer.as_str(),
                 Some(expected.as_str()),
