@@ -4623,7 +4623,7 @@ mapd_code mapd_nearest_lane(const struct mapd_snapshot *snapshot,
  As `mapd_nearest_lane`, of `count` points; `out` has room for as many answers. What has none gets a lane with the row `MAPD_NO_ROW`
  and a position of zeros. Points near each other, in whatever order, cost a fraction of single calls.
 
- Errors: as `mapd_nearest_lane`, with the number of the point; no answer is written then.
+ Errors: as `mapd_nearest_lane`, with the number of the point; what `out` holds then has no meaning.
  */
 mapd_code mapd_nearest_lane_batch(const struct mapd_snapshot *snapshot,
                                   const struct mapd_point *points,

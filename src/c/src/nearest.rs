@@ -148,7 +148,7 @@ pub unsafe extern "C" fn mapd_nearest_lane(
 /// As `mapd_nearest_lane`, of `count` points; `out` has room for as many answers. What has none gets a lane with the row `MAPD_NO_ROW`
 /// and a position of zeros. Points near each other, in whatever order, cost a fraction of single calls.
 ///
-/// Errors: as `mapd_nearest_lane`, with the number of the point; no answer is written then.
+/// Errors: as `mapd_nearest_lane`, with the number of the point; what `out` holds then has no meaning.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_nearest_lane_batch(
     snapshot: *const mapd_snapshot,

@@ -33,7 +33,7 @@ struct Arguments {
 fn main() -> Result<()> {
     let Arguments { source, output, time } = Arguments::parse();
     let time = match time {
-        Some(time) => Duration::try_from_secs_f64(time).context("--time")?,
+        Some(time) => given(time)?,
         None => SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default(),
     };
     let map = open(&source)?;
@@ -46,6 +46,15 @@ fn main() -> Result<()> {
         );
     }
     draft::write_by(&output, |out| Ok(out.write_all(&recording.bytes)?))
+}
+
+/// A time that is given \[s\].
+///
+/// Errors: before 1970, or later than the 32 bits of Foxglove's messages reach, in 2106.
+fn given(time: f64) -> Result<Duration> {
+    let time = Duration::try_from_secs_f64(time).context("--time")?;
+    u32::try_from(time.as_secs()).context("--time: Foxglove's messages end in 2106")?;
+    Ok(time)
 }
 
 /// Opens a SOURCE as `mapd export` does without options.

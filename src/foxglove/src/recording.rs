@@ -37,12 +37,12 @@ impl Writer {
 
 /// The whole map, at one time.
 ///
-/// Errors: the file cannot be encoded.
+/// Errors: the file cannot be encoded; the time is later than 2106.
 pub(crate) fn of(map: Map<'_>, time: Duration) -> Result<Recording> {
     let context = Context::new();
     let file = context.mcap_writer().create(Cursor::new(Vec::new()))?;
     let writer = Writer { context, time };
-    let stamp = Some(Timestamp::new(time.as_secs() as u32, time.subsec_nanos()));
+    let stamp = Some(Timestamp::new(u32::try_from(time.as_secs())?, time.subsec_nanos()));
     let frame = Frame::of(map);
     let middle = frame.middle();
     writer.log(

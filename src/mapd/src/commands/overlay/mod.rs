@@ -57,7 +57,7 @@ enum Action {
         /// Go on: apply the file, or each file of a folder, whenever it changes; what it has no more is removed
         #[arg(long)]
         watch: bool,
-        /// Tell as JSON what list --json tells, and findings of a feed
+        /// Print JSON: what `list --json` prints, and findings of a feed
         #[arg(long, conflicts_with = "watch")]
         json: bool,
     },
@@ -78,13 +78,13 @@ enum Action {
         /// Their ids
         #[arg(required = true)]
         ids: Vec<String>,
-        /// Tell as JSON what is left, as list --json does
+        /// Print JSON: what is left, as `list --json` does
         #[arg(long)]
         json: bool,
     },
     /// Remove all entries
     Clear {
-        /// Tell as JSON what is left, as list --json does
+        /// Print JSON: what is left, as `list --json` does
         #[arg(long)]
         json: bool,
     },
