@@ -62,6 +62,8 @@ const BLOCKS: usize = 12;
 const COMPILATIONS: [usize; 2] = [1, 3];
 /// Instructions that compiling may take per byte of OpenDRIVE, without landmarks: as for queries.
 const PER_BYTE: f64 = 473.0;
+/// Most that compiling may take with a patch of some roads, as a share of what it takes without.
+const PATCHED: f64 = 1.10;
 
 /// The programs that ask queries, and of paths and routes, built as planners link the client: nothing is said of code generation, and they
 /// lie outside of the crates that answer. None where they cannot be built.
@@ -157,8 +159,16 @@ fn main() -> ExitCode {
     if let Some(batch) = of_one(&path_probe, &[&path, "project-batch"], PATH_BATCHES) {
         exceeded |= exceeds("path, a point of a batch", batch / PATH_POINTS, PATH_POINT, 0);
     }
-    if let Some(each) = of_one(env!("CARGO_BIN_EXE_compile_probe"), &[&town], COMPILATIONS) {
+    let patch = folder.path().join("patch.xodr");
+    std::fs::write(&patch, mapd_benches::own_roads(&text)).expect("the patch is written");
+    let [plain, patched] = ["-".into(), patch.to_string_lossy()]
+        .map(|patch| of_one(env!("CARGO_BIN_EXE_compile_probe"), &[&town, &patch], COMPILATIONS));
+    if let Some(each) = plain {
         exceeded |= exceeds("compile, per byte", each / text.len() as f64, PER_BYTE, 1);
+    }
+    if let Some((plain, patched)) = plain.zip(patched) {
+        let what = format!("compile with a patch: {:.3} of without", patched / plain);
+        exceeded |= exceeds(&what, patched, plain * PATCHED, 0);
     }
     exceeded |= views::run(&view_probe, folder.path());
     if exceeded { ExitCode::FAILURE } else { ExitCode::SUCCESS }

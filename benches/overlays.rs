@@ -23,8 +23,6 @@ const WAIT: Duration = Duration::from_secs(60);
 const BLOCKS: usize = 48;
 /// Entries of overlays.
 const ENTRIES: [usize; 3] = [1, 1_000, 10_000];
-/// Every how many roads of a map one is in its patch.
-const PATCHED: usize = 50;
 
 fn main() {
     let text = town(BLOCKS, BLOCKS);
@@ -110,14 +108,9 @@ fn waiting(snapshot: &Snapshot, entries: usize) {
 /// A compilation with a patch that replaces roads by themselves, against one without.
 fn patching(name: &str, path: &Path, folder: &Path) {
     let text = std::fs::read_to_string(path).expect("the map");
-    let ends = text.match_indices("</road>").map(|(at, tag)| at + tag.len());
-    let roads = ends.step_by(PATCHED).map(|end| {
-        let begin = text[..end].rfind("<road ").expect("a road begins");
-        &text[begin..end]
-    });
-    let roads: Vec<&str> = roads.collect();
+    let document = mapd_benches::own_roads(&text);
+    let roads = document.matches("<road ").count();
     let file = folder.join("patch.xodr");
-    let document = format!("<OpenDRIVE>{}</OpenDRIVE>", roads.concat());
     std::fs::write(&file, &document).expect("the patch is written");
     let patch = Patch::removing(Vec::new()).with_document(file, document.into_bytes());
     let patch = Arc::new(patch.expect("a patch"));
@@ -138,7 +131,7 @@ fn patching(name: &str, path: &Path, folder: &Path) {
     };
     print(&format!(
         "{name} with a patch of {} roads: {:.1?}, without {:.1?} ({:+.1} %); computed {:.1?} and {:.1?} ({:+.1} %)",
-        roads.len(),
+        roads,
         patched.0,
         plain.0,
         more(patched.0, plain.0),

@@ -5,7 +5,9 @@ use mapd_client::{Map, Snapshot};
 use mapd_compiler::{Compilation, CompileOptions, Extra, ReadOptions, Verdict, compile_from};
 use mapd_tests::maps::carried_and;
 use mapd_tests::town::town;
+use mapd_xodr::source::{Inputs, SourceLimits};
 use mapd_xodr::{Patch, PatchError, PatchedId};
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -206,4 +208,52 @@ fn what_is_wrong() {
     let error = compiled(latin, Some(nothing)).err().expect("not UTF-8").to_string();
     assert!(error.contains("only UTF-8"), "{error}");
     assert_eq!(Patch::default().file(), None::<&PathBuf>);
+}
+
+/// Hands out so many bytes at a time.
+struct Slowly<'a>(&'a [u8], usize);
+
+impl std::io::Read for Slowly<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.1.min(buffer.len());
+        self.0.read(&mut buffer[..count])
+    }
+}
+
+/// What stands in comments, sections of characters, instructions, values and elements of the same name within does not end an element.
+#[test]
+fn where_elements_end() {
+    let road = "<road id=\"1\" name='>'>\n<!-- </road> --><userData><road id=\"2\"/><road id='1'>x</road ></userData>\
+        <lane a='/>'/><![CDATA[</road>]]><?p </road>?><roadMark></roadMark><roads/></road\n>";
+    let text = format!(
+        "<?xml version=\"1.0\"?><!-- <road id=\"1\"/> -->\n<OpenDRIVE><header><road id=\"1\"/></header>{road}\
+         <road id=\"2\"/>\n<road id=\"3\"><a></a></road><junction id=\"1\"/></OpenDRIVE>\n<!-- end -->"
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    let own = "<road id=\"1\"><b/></road>";
+    let spliced = |prefix: &str, step: usize| {
+        let named = |text: &str| {
+            text.replace("<road", &format!("<{prefix}road"))
+                .replace("</road", &format!("</{prefix}road"))
+        };
+        let document = named(&format!("<OpenDRIVE>{own}</OpenDRIVE>"));
+        let patch = patch(folder.path(), &document, &["road:2"]).expect("a patch");
+        let mut inputs = Inputs::new(SourceLimits::default());
+        let text = named(&text);
+        let mut made = String::new();
+        let input = Box::new(Slowly(text.as_bytes(), step));
+        let mut source = inputs.open_patched(input, "map.xodr", &patch);
+        source.read_to_string(&mut made).expect("reads");
+        let [gone, new] = [road, own].map(named);
+        let expected = text.replace(&gone, &new).replace(&named("<road id=\"2\"/>\n"), "\n");
+        assert_eq!(made, expected, "{prefix}, {step}");
+        let third = named("<road id=\"3\">");
+        let [at, before] = [&made, &text].map(|text| text.find(&third).expect("the third"));
+        let lines = text[..before].matches('\n').count() as u32;
+        let position = inputs.places().position(at as u64);
+        assert_eq!((position.line, position.column), (lines + 1, 1), "{prefix}, {step}");
+    };
+    for (prefix, step) in [("", usize::MAX), ("", 1), ("", 7), ("o:", usize::MAX), ("o:", 3)] {
+        spliced(prefix, step);
+    }
 }

@@ -40,7 +40,7 @@ pub(crate) fn store(
 fn row(edge: &Edge, places: &Places) -> EdgeRow {
     let nowhere = edge.span == Span::default();
     let start = edge.span.start;
-    let position = if nowhere { Default::default() } else { places.place(start).position };
+    let position = if nowhere { Default::default() } else { places.position(start) };
     EdgeRow {
         line: position.line,
         column: position.column,

@@ -63,12 +63,41 @@ pub(super) fn markup(text: &[u8], from: usize) -> Option<Markup> {
     Some(Markup { start, end: start + at + 1, kind })
 }
 
-/// The name of a tag's element, without a prefix.
-pub(super) fn name(tag: &[u8]) -> &[u8] {
+/// Looks for the first markup within an element that may end it or hide its end: tags of its own name, and all that is no tag. Tags of other names are
+/// passed over: no value has `<` in it. Its start; or how far the text was searched, where the beginning of such markup may follow.
+pub(super) fn within(text: &[u8], from: usize, own: &[u8]) -> Result<usize, usize> {
+    let tag = |open: &[u8], until: usize| {
+        let begin = [open, own].concat();
+        let ends = |at: &usize| text.get(at + begin.len()).is_some_and(ends_name);
+        let found = memchr::memmem::find_iter(text.get(from..until)?, &begin);
+        found.map(|at| from + at).find(ends)
+    };
+    let searched = text.len().saturating_sub(own.len() + 2).max(from);
+    let end = tag(b"</", text.len());
+    let until = end.unwrap_or(text.len());
+    let nested = tag(b"<", until);
+    let until = nested.unwrap_or(until);
+    let rest = text.get(from..until).unwrap_or_default();
+    let mut others = memchr::memchr2_iter(b'!', b'?', rest);
+    let other = others.find(|at| *at > 0 && rest[at - 1] == b'<').map(|at| from + at - 1);
+    other.or(nested).or(end).ok_or(searched)
+}
+
+/// Whether a byte is none of a name.
+fn ends_name(byte: &u8) -> bool {
+    byte.is_ascii_whitespace() || matches!(byte, b'/' | b'>')
+}
+
+/// The name of a tag's element, with its prefix.
+pub(super) fn whole_name(tag: &[u8]) -> &[u8] {
     let begin = if tag.starts_with(b"</") { 2 } else { 1 };
     let rest = tag.get(begin..).unwrap_or_default();
-    let ends = |byte: &u8| byte.is_ascii_whitespace() || matches!(byte, b'/' | b'>');
-    let whole = &rest[..rest.iter().position(ends).unwrap_or(rest.len())];
+    &rest[..rest.iter().position(ends_name).unwrap_or(rest.len())]
+}
+
+/// The name of a tag's element, without a prefix.
+pub(super) fn name(tag: &[u8]) -> &[u8] {
+    let whole = whole_name(tag);
     memchr::memrchr(b':', whole).map_or(whole, |colon| &whole[colon + 1..])
 }
 

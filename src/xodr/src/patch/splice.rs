@@ -1,12 +1,12 @@
 //! A document's text with a patch in it.
 
-use super::markup::{Kind, Markup, attribute, markup, name};
-use super::{Patch, PatchError, PatchedId, PatchedKind, advance};
-use crate::source::{Places, Position, Source};
+use super::markup::{Kind, Markup, attribute, markup, name, whole_name, within};
+use super::{Patch, PatchError, PatchedId, PatchedKind};
+use crate::source::{Places, Source};
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{self, Read};
+use std::io::{self, BufRead as _, Read};
 
-/// Bytes that are read at once.
+/// Bytes that are made at once.
 const WINDOW: usize = 256 << 10;
 
 /// Longest markup that is looked at as one \[bytes\]: what is longer is passed on as it is, and refused by who reads it.
@@ -21,6 +21,8 @@ const BOTH: [PatchedKind; 2] = [PatchedKind::Road, PatchedKind::Junction];
 /// Passes a document on, with a patch in it.
 pub(crate) struct Splice<'a> {
     source: Source<'a>,
+    /// The lines of its text.
+    written: Places,
     patch: &'a Patch,
     places: Places,
     /// Number of the patch among the files.
@@ -30,9 +32,9 @@ pub(crate) struct Splice<'a> {
     at: usize,
     seen: usize,
     is_read: bool,
-    /// Where `at` stands in the document.
-    here: Position,
     depth: usize,
+    /// Name of the top-level element that is open: only its own tags are looked at in it.
+    inside: Option<Vec<u8>>,
     /// Depth at which what is left out ends.
     skips: Option<usize>,
     /// Whether what is passed on next does not follow what was passed on before.
@@ -51,9 +53,15 @@ pub(crate) struct Splice<'a> {
 }
 
 impl<'a> Splice<'a> {
-    pub(crate) fn new(source: Source<'a>, patch: &'a Patch, places: Places, file: u16) -> Self {
+    /// `places` are those of the text that is made, `written` those of the source.
+    pub(crate) fn new(
+        (source, written): (Source<'a>, Places),
+        patch: &'a Patch,
+        (places, file): (Places, u16),
+    ) -> Self {
         Self {
             source,
+            written,
             patch,
             places,
             file,
@@ -61,8 +69,8 @@ impl<'a> Splice<'a> {
             at: 0,
             seen: 0,
             is_read: false,
-            here: Position { line: 1, column: 1 },
             depth: 0,
+            inside: None,
             skips: None,
             is_cut: false,
             out: Vec::new(),
@@ -80,12 +88,12 @@ impl<'a> Splice<'a> {
         let piece = &self.text[self.at..to];
         if self.skips.is_none() && !piece.is_empty() {
             if std::mem::take(&mut self.is_cut) {
-                self.places.piece(self.made, 0, self.here);
+                let at = self.source.offset() - (self.text.len() - self.at) as u64;
+                self.places.piece(self.made, 0, self.written.position(at));
             }
             self.out.extend_from_slice(piece);
             self.made += piece.len() as u64;
         }
-        advance(&mut self.here, piece);
         self.at = to;
     }
 
@@ -124,9 +132,13 @@ impl<'a> Splice<'a> {
                     self.pass(found.start);
                     let tag = self.text[found.start..found.end].to_vec();
                     self.element(&tag);
+                    self.inside = Some(whole_name(&tag).to_vec());
                 }
                 let deeper = usize::from(found.kind == Kind::Start);
                 self.depth += deeper;
+                if self.depth == 1 {
+                    self.inside = None;
+                }
                 if deeper == 0 && self.skips == Some(self.depth) {
                     self.resume();
                 }
@@ -137,6 +149,9 @@ impl<'a> Splice<'a> {
                     self.insert(&BOTH);
                 }
                 self.depth = self.depth.saturating_sub(1);
+                if self.depth <= 1 {
+                    self.inside = None;
+                }
                 if self.skips == Some(self.depth) {
                     self.resume();
                 }
@@ -173,9 +188,19 @@ impl<'a> Splice<'a> {
 
     /// Makes more text.
     fn make(&mut self) -> io::Result<()> {
-        if let Some(found) = markup(&self.text, self.seen) {
-            self.look(found);
-            return Ok(());
+        let start = match &self.inside {
+            Some(own) => within(&self.text, self.seen, own),
+            None => Ok(self.seen),
+        };
+        match start {
+            Ok(start) => {
+                self.seen = start;
+                if let Some(found) = markup(&self.text, start) {
+                    self.look(found);
+                    return Ok(());
+                }
+            }
+            Err(searched) => self.seen = searched,
         }
         self.pass(self.seen);
         if self.is_read || self.text.len() - self.at > LONGEST_MARKUP {
@@ -187,10 +212,10 @@ impl<'a> Splice<'a> {
         }
         self.text.drain(..self.at);
         (self.at, self.seen) = (0, 0);
-        let before = self.text.len();
-        self.text.resize(before + WINDOW, 0);
-        let count = self.source.read(&mut self.text[before..])?;
-        self.text.truncate(before + count);
+        let more = self.source.fill_buf()?;
+        self.text.extend_from_slice(more);
+        let count = more.len();
+        self.source.consume(count);
         self.is_read = count == 0;
         if !matches!(self.source.encoding(), "UTF-8" | "US-ASCII") {
             let error = PatchError::Encoding(self.source.encoding());

@@ -126,7 +126,8 @@ impl Inputs {
             None => number,
         };
         self.open.push(Open { number, path: None });
-        let spliced = Splice::new(written, patch, self.shared.places.clone(), file);
+        let written = (written, shared.places);
+        let spliced = Splice::new(written, patch, (self.shared.places.clone(), file));
         Source::new(Box::new(spliced), self.shared.clone(), number)
     }
 

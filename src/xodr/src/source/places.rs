@@ -46,10 +46,14 @@ struct Piece {
 }
 
 impl File {
+    /// The stretch that holds an offset; none if it is the file's own.
+    fn piece(&self, offset: u64) -> Option<&Piece> {
+        self.pieces[..self.pieces.partition_point(|piece| piece.start <= offset)].last()
+    }
+
     /// The file that an offset of this one's text comes from, and line and column there; none if it is its own.
     fn written(&self, offset: u64) -> Option<(u16, Position)> {
-        let piece =
-            self.pieces[..self.pieces.partition_point(|piece| piece.start <= offset)].last()?;
+        let piece = self.piece(offset)?;
         let [begin, own] = [piece.start, offset].map(|offset| self.lines.position(offset));
         let at = match own.line - begin.line {
             0 => Position { column: piece.at.column + (own.column - begin.column), ..piece.at },
@@ -109,7 +113,7 @@ impl Places {
     pub fn file_at(&self, start: u64) -> u16 {
         let (files, number) = (self.lock(), Self::file_of(start));
         let file = files.get(usize::from(number));
-        file.and_then(|file| file.written(Self::offset_of(start))).map_or(number, |(own, _)| own)
+        file.and_then(|file| file.piece(Self::offset_of(start))).map_or(number, |own| own.file)
     }
 
     /// Line and column of a start in its file.
