@@ -3,6 +3,7 @@
 use crate::list::put_raw;
 use mapd_client::geodesy::{DefinitionError, GeodeticError, ProjectionError};
 use mapd_client::{AttachError, ClientError, QueryError};
+use std::any::Any;
 use std::borrow::Cow;
 use std::ffi::c_char;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -91,11 +92,8 @@ pub struct mapd_error {
     pub message: [c_char; MAPD_MESSAGE_SIZE],
 }
 
-/// An error on its way to the caller.
-pub(crate) struct Failure {
-    code: mapd_code,
-    message: Cow<'static, str>,
-}
+/// An error on its way to the caller. A pointer, so that what comes to no error passes in registers.
+pub(crate) struct Failure(Box<(mapd_code, Cow<'static, str>)>);
 
 /// What a call's body comes to.
 pub(crate) type Outcome = Result<mapd_code, Failure>;
@@ -103,25 +101,40 @@ pub(crate) type Outcome = Result<mapd_code, Failure>;
 impl Failure {
     #[cold]
     pub(crate) fn new(code: mapd_code, message: impl Into<Cow<'static, str>>) -> Self {
-        Self { code, message: message.into() }
+        Self(Box::new((code, message.into())))
     }
 
     /// The same of one of several questions, by its number from 0.
     #[cold]
     pub(crate) fn of_entry(self, number: usize) -> Self {
-        Self::new(self.code, format!("entry {number}: {}", self.message))
+        let (code, message) = *self.0;
+        Self::new(code, format!("entry {number}: {message}"))
     }
 
     pub(crate) fn code(&self) -> mapd_code {
-        self.code
+        self.0.0
     }
 
+    // By value and never inlined, like the next one: a reference to the name would lie on the stack in every call that does not fail.
     #[cold]
+    #[inline(never)]
     pub(crate) fn null(what: &'static str) -> Self {
         Self::new(
             mapd_code::NULL_POINTER,
             format!("expected a pointer to {what}, found null; a handle is null once it is closed"),
         )
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn misaligned(what: &'static str) -> Self {
+        Self::argument(format!("the pointer to {what} is not aligned"))
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn too_many(count: usize) -> Self {
+        Self::argument(format!("no memory holds {count} entries"))
     }
 
     #[cold]
@@ -217,18 +230,32 @@ impl From<GeodeticError> for Failure {
 #[inline]
 pub(crate) unsafe fn answer(error: *mut mapd_error, body: impl FnOnce() -> Outcome) -> mapd_code {
     // A body that panics has at most left its answer unwritten and a scratch with entries of no meaning, which the next query clears.
-    match catch_unwind(AssertUnwindSafe(body)) {
-        Ok(Ok(code)) => code,
+    // An error is written inside, so that all that comes out is a code, in a register.
+    let told = AssertUnwindSafe(|| match body() {
+        Ok(code) => code,
         // SAFETY: as promised above.
-        Ok(Err(failure)) => unsafe { tell(error, failure) },
-        Err(panic) => {
-            let said = panic.downcast_ref::<&str>().copied();
-            let said = said.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
-            let message = format!("a bug in mapd, please report it: {}", said.unwrap_or("panic"));
-            // SAFETY: as promised above.
-            unsafe { tell(error, Failure::new(mapd_code::PANIC, message)) }
-        }
+        Err(failure) => unsafe { tell(error, failure) },
+    });
+    match catch_unwind(told) {
+        Ok(code) => code,
+        // SAFETY: as promised above.
+        Err(panic) => unsafe { tell_panic(error, &*panic) },
     }
+}
+
+/// Writes where a bug in mapd is.
+///
+/// # Safety
+///
+/// `error` is null or valid for writes.
+#[cold]
+#[inline(never)]
+unsafe fn tell_panic(error: *mut mapd_error, panic: &(dyn Any + Send)) -> mapd_code {
+    let said = panic.downcast_ref::<&str>().copied();
+    let said = said.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
+    let message = format!("a bug in mapd, please report it: {}", said.unwrap_or("panic"));
+    // SAFETY: as promised above.
+    unsafe { tell(error, Failure::new(mapd_code::PANIC, message)) }
 }
 
 /// Writes an error where the caller wants it.
@@ -237,15 +264,16 @@ pub(crate) unsafe fn answer(error: *mut mapd_error, body: impl FnOnce() -> Outco
 ///
 /// `error` is null or valid for writes.
 #[cold]
+#[inline(never)]
 unsafe fn tell(error: *mut mapd_error, failure: Failure) -> mapd_code {
-    let code = failure.code;
-    let mut end = failure.message.len().min(MAPD_MESSAGE_SIZE - 1);
-    while !failure.message.is_char_boundary(end) {
+    let (code, text) = *failure.0;
+    let mut end = text.len().min(MAPD_MESSAGE_SIZE - 1);
+    while !text.is_char_boundary(end) {
         end -= 1;
     }
     let mut message = [0; MAPD_MESSAGE_SIZE];
     // A 0 within would end the message for C.
-    for (to, from) in message.iter_mut().zip(failure.message.as_bytes()[..end].iter()) {
+    for (to, from) in message.iter_mut().zip(text.as_bytes()[..end].iter()) {
         *to = (if *from == 0 { b' ' } else { *from }) as c_char;
     }
     let written = mapd_error { code, length: end as u32, message };

@@ -1,7 +1,7 @@
 //! Places on Earth.
 
 use crate::code::{Failure, answer, mapd_code, mapd_error};
-use crate::list::{close, entries, fill, get, hand_out, put, put_some};
+use crate::list::{close, entries, fill, get, hand_out, put_answer, put_some};
 use crate::nearest::{mapd_nearest, mapd_nearest_options, options_of};
 use crate::point::mapd_vec3;
 use crate::snapshot::{map_of, mapd_snapshot};
@@ -80,9 +80,7 @@ pub unsafe extern "C" fn mapd_to_geodetic(
     out: *mut mapd_geodetic,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe {
-        answer(error, || put(out, projector_of(projector)?.to_geodetic(point.into())?.into()))
-    }
+    unsafe { answer(error, || put_answer(out, projector_of(projector)?.to_geodetic(point.into()))) }
 }
 
 /// The point of the map at a place on Earth.
@@ -96,7 +94,7 @@ pub unsafe extern "C" fn mapd_from_geodetic(
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
-        answer(error, || put(out, projector_of(projector)?.from_geodetic(place.into())?.into()))
+        answer(error, || put_answer(out, projector_of(projector)?.from_geodetic(place.into())))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::ids::mapd_lane_id;
-use crate::list::{entries, fill, get_mut, put_some};
+use crate::list::{entries, fill, get_mut, put_found};
 use crate::matching::mapd_vehicle_pose;
 use crate::options::{given_options, put_defaults};
 use crate::point::{mapd_point, mapd_vec2, mapd_vec3};
@@ -195,7 +195,7 @@ pub unsafe extern "C" fn mapd_ground_at(
     unsafe {
         answer(error, || {
             let ground = &mut get_mut(scratch, "a scratch")?.ground;
-            put_some(out, map_of(snapshot)?.ground_at(point, ground)?.map(mapd_ground::from))
+            put_found(out, map_of(snapshot)?.ground_at(point, ground))
         })
     }
 }
@@ -245,7 +245,7 @@ pub unsafe extern "C" fn mapd_stance_at(
             for (own, wheel) in own.iter_mut().zip(entries(wheels, 4, "the wheels")?) {
                 *own = (*wheel).into();
             }
-            put_some(out, map.stance(&pose.into(), &own, ground)?.map(mapd_stance::from))
+            put_found(out, map.stance(&pose.into(), &own, ground))
         })
     }
 }
@@ -280,8 +280,7 @@ pub unsafe extern "C" fn mapd_nearest_mark(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let found = map_of(snapshot)?.nearest_mark(point.into(), &filter_of(filter)?)?;
-            put_some(out, found.map(mapd_near_mark::from))
+            put_found(out, map_of(snapshot)?.nearest_mark(point.into(), &filter_of(filter)?))
         })
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::code::{answer, mapd_code, mapd_error};
 use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_road_id, mapd_signal_id};
-use crate::list::{List, finite, put, put_some};
-use crate::lookup::lane_of;
+use crate::list::{List, finite, put, put_answer, put_some};
+use crate::lookup::{ask_lane, lane_of};
 use crate::point::{clamped_code, mapd_lane_position, mapd_point, mapd_pose, mapd_vec3};
 use crate::snapshot::mapd_snapshot;
 use mapd_client::roads::Waypoint;
@@ -148,7 +148,9 @@ pub unsafe extern "C" fn mapd_lane_position_of(
     out: *mut mapd_lane_position,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe { answer(error, || put(out, lane_of(snapshot, lane)?.position_of(point)?.into())) }
+    unsafe {
+        answer(error, || ask_lane(snapshot, lane, |lane| put_answer(out, lane.position_of(point))))
+    }
 }
 
 /// Pose at s as the lane's traffic has it, `offset` \[m\] to its left of the lane's centre, on the plane h = 0. s outside the lane's section
@@ -164,7 +166,9 @@ pub unsafe extern "C" fn mapd_lane_pose_at(
     out: *mut mapd_pose,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe { answer(error, || put(out, lane_of(snapshot, lane)?.pose_at(s, offset)?.into())) }
+    unsafe {
+        answer(error, || ask_lane(snapshot, lane, |lane| put_answer(out, lane.pose_at(s, offset))))
+    }
 }
 
 /// As `mapd_lane_pose_at`, along the reference line: ahead is the way s rises, and `offset` counts to the left of that.
@@ -179,7 +183,7 @@ pub unsafe extern "C" fn mapd_lane_pose_of_reference_line(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            put(out, lane_of(snapshot, lane)?.pose_of_reference_line(s, offset)?.into())
+            ask_lane(snapshot, lane, |lane| put_answer(out, lane.pose_of_reference_line(s, offset)))
         })
     }
 }
@@ -195,7 +199,9 @@ pub unsafe extern "C" fn mapd_lane_waypoint_at(
     out: *mut mapd_waypoint,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe { answer(error, || put(out, lane_of(snapshot, lane)?.waypoint_at(s)?.into())) }
+    unsafe {
+        answer(error, || ask_lane(snapshot, lane, |lane| put_answer(out, lane.waypoint_at(s))))
+    }
 }
 
 /// Waypoints in driving direction, `step` \[m\] of s apart, from where the lane is entered to where it is left; both ends are among them.

@@ -36,7 +36,7 @@ fn check<T>(pointer: *const T, what: &'static str) -> Result<(), Failure> {
         return Err(Failure::null(what));
     }
     if !pointer.is_aligned() {
-        return Err(Failure::argument(format!("the pointer to {what} is not aligned")));
+        return Err(Failure::misaligned(what));
     }
     Ok(())
 }
@@ -66,7 +66,7 @@ pub(crate) unsafe fn entries<'a, T>(
 fn check_size<T>(count: usize) -> Result<(), Failure> {
     match count.checked_mul(size_of::<T>()) {
         Some(bytes) if bytes <= isize::MAX as usize => Ok(()),
-        _ => Err(Failure::argument(format!("no memory holds {count} entries"))),
+        _ => Err(Failure::too_many(count)),
     }
 }
 
@@ -94,6 +94,54 @@ pub(crate) unsafe fn put_some<T>(out: *mut T, value: Option<T>) -> Outcome {
     let Some(value) = value else { return Ok(mapd_code::NONE) };
     // SAFETY: as promised above.
     unsafe { put(out, value) }
+}
+
+/// Writes what a query came to, if it came to something: from where the query left it, without a copy in between.
+///
+/// # Safety
+///
+/// As [`put`].
+#[inline(always)]
+pub(crate) unsafe fn put_found<A: Copy, T: From<A>, E: Into<Failure>>(
+    out: *mut T,
+    found: Result<Option<A>, E>,
+) -> Outcome {
+    match found {
+        // SAFETY: as promised above.
+        Ok(Some(ref found)) => unsafe { put_from(out, found) },
+        Ok(None) => check(out, "the answer").map(|()| mapd_code::NONE),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Writes what a query came to; as [`put_found`].
+///
+/// # Safety
+///
+/// As [`put`].
+#[inline(always)]
+pub(crate) unsafe fn put_answer<A: Copy, T: From<A>, E: Into<Failure>>(
+    out: *mut T,
+    found: Result<A, E>,
+) -> Outcome {
+    match found {
+        // SAFETY: as promised above.
+        Ok(ref found) => unsafe { put_from(out, found) },
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// As [`put`], converted on the way: read only once the pointer is proven, or it would be kept elsewhere until then.
+///
+/// # Safety
+///
+/// As [`put`].
+#[inline(always)]
+unsafe fn put_from<A: Copy, T: From<A>>(out: *mut T, value: &A) -> Outcome {
+    check(out, "the answer")?;
+    // SAFETY: as just proven and promised above.
+    unsafe { out.write(T::from(*value)) };
+    Ok(mapd_code::OK)
 }
 
 /// Writes if there is where to; null is fine.

@@ -1,6 +1,6 @@
 //! From names and rows to ids and back.
 
-use crate::code::{Failure, answer, mapd_code, mapd_error};
+use crate::code::{Failure, Outcome, answer, mapd_code, mapd_error};
 use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_object_id, mapd_road_id, mapd_signal_id};
 use crate::list::{List, put, put_some};
 use crate::snapshot::{map_of, mapd_snapshot};
@@ -19,6 +19,24 @@ pub(crate) unsafe fn lane_of<'a>(
     lane: mapd_lane_id,
 ) -> Result<Lane<'a>, Failure> {
     unsafe { Ok(map_of(snapshot)?.lane(lane.into())?) }
+}
+
+/// Asks a lane of a snapshot where it is made: a copy of it would count in a single call.
+///
+/// # Safety
+///
+/// As [`map_of`].
+#[inline(always)]
+pub(crate) unsafe fn ask_lane(
+    snapshot: *const mapd_snapshot,
+    lane: mapd_lane_id,
+    ask: impl FnOnce(&Lane<'_>) -> Outcome,
+) -> Outcome {
+    // SAFETY: as promised above.
+    match unsafe { map_of(snapshot) }?.lane(lane.into()) {
+        Ok(ref lane) => ask(lane),
+        Err(error) => Err(error.into()),
+    }
 }
 
 /// A road of a snapshot.

@@ -20,13 +20,18 @@ pub(crate) unsafe fn given_options<'a, T>(
     let size = unsafe { *get(options.cast::<usize>(), "options")? };
     // Whoever knows less of them than the first release is no caller of this library.
     if size != size_of::<T>() {
-        return Err(Failure::argument(format!(
-            "expected options of {} bytes, found size {size}; set them with {init}",
-            size_of::<T>()
-        )));
+        return Err(other_size(size, size_of::<T>(), init));
     }
     // SAFETY: as promised above; every value of every field is one.
     unsafe { get(options, "options") }.map(Some)
+}
+
+#[cold]
+#[inline(never)]
+fn other_size(found: usize, expected: usize, init: &'static str) -> Failure {
+    Failure::argument(format!(
+        "expected options of {expected} bytes, found size {found}; set them with {init}"
+    ))
 }
 
 /// Writes the defaults where the caller knows the options as this library does.

@@ -2,7 +2,7 @@
 
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::ids::mapd_lane_id;
-use crate::list::{List, close, finite, get, hand_out, put, put_some};
+use crate::list::{List, close, finite, get, hand_out, put, put_answer, put_some};
 use crate::options::{given_options, put_defaults};
 use crate::point::{clamped_code, mapd_vec2, mapd_vec3};
 use crate::route::{mapd_route_step, take_steps};
@@ -242,7 +242,7 @@ pub unsafe extern "C" fn mapd_path_at(
     out: *mut mapd_path_point,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe { answer(error, || put(out, path_of(path)?.at(along)?.into())) }
+    unsafe { answer(error, || put_answer(out, path_of(path)?.at(along))) }
 }
 
 /// A point in the path's coordinates. `hint`: null, or S of a point nearby such as the one before: the search begins there.
@@ -259,7 +259,7 @@ pub unsafe extern "C" fn mapd_path_project(
     unsafe {
         answer(error, || {
             let hint = if hint.is_null() { None } else { Some(*get(hint, "the hint")?) };
-            put(out, path_of(path)?.project(point.into(), hint)?.into())
+            put_answer(out, path_of(path)?.project(point.into(), hint))
         })
     }
 }

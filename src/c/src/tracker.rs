@@ -2,7 +2,7 @@
 
 use crate::code::{answer, mapd_code, mapd_error};
 use crate::ids::mapd_lane_id;
-use crate::list::{List, close, entries, get, get_mut, hand_out, put};
+use crate::list::{List, close, entries, get, get_mut, hand_out, put, put_answer};
 use crate::matching::{mapd_lane_match, mapd_match_options, mapd_vehicle_pose, match_options};
 use crate::options::{given_options, put_defaults};
 use crate::point::mapd_lane_position;
@@ -177,7 +177,7 @@ pub unsafe extern "C" fn mapd_tracker_update(
                     enough: given.enough,
                 },
             };
-            put(out, tracker.update(map_of(snapshot)?, &fix, &options)?.into())
+            put_answer(out, tracker.update(map_of(snapshot)?, &fix, &options))
         })
     }
 }

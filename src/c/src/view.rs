@@ -3,7 +3,7 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::{MAPD_NO_ROW, mapd_lane_id, mapd_signal_id};
-use crate::list::{List, close, finite, get, get_mut, hand_out, put, put_some};
+use crate::list::{List, close, finite, get, get_mut, hand_out, put, put_answer, put_some};
 use crate::path::{mapd_path, path_of};
 use crate::route::{mapd_route_step, take_steps};
 use crate::scratch::mapd_scratch;
@@ -350,7 +350,7 @@ pub unsafe extern "C" fn mapd_view_speed_on_path(
     unsafe {
         answer(error, || {
             let (view, path) = (view_of(view)?, path_of(path)?);
-            put(out, view.speed_on_path(&path, along, vehicle_of(vehicle)?)?.into())
+            put_answer(out, view.speed_on_path(&path, along, vehicle_of(vehicle)?))
         })
     }
 }
