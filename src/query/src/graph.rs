@@ -6,8 +6,8 @@ use crate::ids::NodeId;
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
 use mapd_archive::{
-    ArchivedConflictRow, ArchivedLaneNodeRow, ConflictKind, EdgeKind, NONE, Relation,
-    RelationReason, VehicleClass, beside_row, edge_flags, node_flags, section_step,
+    ArchivedConflictRow, ArchivedLaneNodeRow, ArchivedPieceRow, ConflictKind, EdgeKind, NONE,
+    Relation, RelationReason, VehicleClass, beside_row, edge_flags, node_flags, section_step,
 };
 
 /// A node of the lane graph: a lane, or a piece of one, travelled in one direction. Under an overlay ([`View`](crate::view::View)) a [`RouteCost`](crate::route::RouteCost) is also asked
@@ -18,16 +18,13 @@ pub struct LaneNode<'a> {
     pub(crate) number: u32,
     pub(crate) row: &'a ArchivedLaneNodeRow,
     /// What holds instead on a piece of the node, under an overlay.
-    pub(crate) piece: Option<NodePiece>,
+    pub(crate) piece: Option<NodePiece<'a>>,
 }
 
-/// A piece of a node, as an overlay has it at a moment, for a class of vehicles.
+/// A piece of a node, as an overlay has it at a moment, for a class of vehicles. Searches pass it on for every node, so it is small.
 #[derive(Clone, Copy)]
-pub(crate) struct NodePiece {
-    pub(crate) s_range: (f64, f64),
-    /// Share of the node's length before it.
-    pub(crate) before: f64,
-    pub(crate) length: f64,
+pub(crate) struct NodePiece<'a> {
+    pub(crate) row: &'a ArchivedPieceRow,
     pub(crate) time: f64,
     pub(crate) access: u16,
 }
@@ -75,8 +72,7 @@ impl<'a> LaneNode<'a> {
     /// Both ends of the piece on the road `[m]`, the smaller s first.
     pub fn s_range(&self) -> SRange {
         if let Some(piece) = &self.piece {
-            let (low, high) = piece.s_range;
-            return SRange { low, high };
+            return SRange { low: piece.row.s_from(), high: piece.row.s_to() };
         }
         let Some(lane) = self.lane() else { return SRange::default() };
         let section = lane.section();
@@ -95,7 +91,7 @@ impl<'a> LaneNode<'a> {
     pub fn length(&self) -> f64 {
         match &self.piece {
             None => f64::from(self.row.length()),
-            Some(piece) => piece.length,
+            Some(piece) => f64::from(piece.row.length()),
         }
     }
 

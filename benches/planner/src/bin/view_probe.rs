@@ -1,9 +1,10 @@
 //! One process that asks a map, or a view over it, a number of questions: `view_probe MAP OVERLAY KIND COUNT`, for counting instructions. OVERLAY is the
 //! bytes of an overlay, or `-` for a view without one. Kinds: `speed`, `allows`, `nearest`, `route` (the fastest way between random places that have one), each also
-//! with `map-` before it, of the map itself; `factors-route` has the map search with what the overlay says of whole lanes as factors of them.
+//! with `map-` before it, of the map itself; `open-route` asks only for ways that there are under the overlay, and `factors-route` has the map search these with what the
+//! overlay says of whole lanes as factors of them.
 
 use mapd_archive::AlignedBytes;
-use mapd_client::route::{PositionOnLane, RouteScratch, ShortestTime, WithFactors};
+use mapd_client::route::{PositionOnLane, RouteCost, RouteScratch, ShortestTime, WithFactors};
 use mapd_client::view::View;
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Lane, LaneId, Map, NearestOptions, Snapshot, glam::DVec2};
@@ -46,6 +47,34 @@ fn ways(map: Map<'_>, places: &[(LaneId, f64)]) -> Vec<[PositionOnLane; 2]> {
     pairs.filter(|pair| found(pair)).take(WAYS).collect()
 }
 
+/// Those that begin and end on open lanes and have a way under an overlay, too. A view lets a vehicle leave a closed lane, and knows at once that a goal is closed; a
+/// search with factors does neither. None where the two do not cost the same.
+fn still_open(
+    view: View<'_>,
+    factors: &impl RouteCost,
+    ways: Vec<[PositionOnLane; 2]>,
+) -> Option<Vec<[PositionOnLane; 2]>> {
+    let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
+    let cost = ShortestTime::default();
+    let open = |place: &PositionOnLane| {
+        view.allows(place.lane, place.s, CAR).is_ok_and(|answer| answer.is_allowed)
+    };
+    let mut found = Vec::new();
+    for way in ways.into_iter().filter(|way| way.iter().all(open)) {
+        let [from, to] = way;
+        let today = view.route(from, to, CAR, &cost, &mut scratch, &mut steps).ok()?;
+        let own = view.map().route(from, to, CAR, factors, &mut scratch, &mut steps).ok()?;
+        match (today, own) {
+            (Some(today), Some(own)) if (today.cost - own.cost).abs() < 1e-3 * own.cost => {
+                found.push(way);
+            }
+            (None, None) => {}
+            _ => return None,
+        }
+    }
+    Some(found)
+}
+
 /// What an overlay says of whole lanes, as factors of the map's own times: what closes a lane or slows it without a view.
 fn factors(view: View<'_>) -> Vec<f64> {
     let factor = |lane: Lane<'_>| {
@@ -59,7 +88,13 @@ fn factors(view: View<'_>) -> Vec<f64> {
         let closes = view.allows(lane.lane_id(), middle, CAR).ok()?.restriction.is_some();
         Some(if closes { f64::INFINITY } else { slower })
     };
-    view.map().lanes().map(|lane| factor(lane).unwrap_or(1.0)).collect()
+    let mut factors = Vec::new();
+    for lane in view.map().lanes() {
+        // Between them lie the rows of lanes 0.
+        factors.resize(lane.lane_id().row() as usize, 1.0);
+        factors.push(factor(lane).unwrap_or(1.0));
+    }
+    factors
 }
 
 fn main() -> ExitCode {
@@ -86,8 +121,11 @@ fn main() -> ExitCode {
     let ways = if kind.ends_with("route") { ways(map, &places) } else { Vec::new() };
     let (options, cost) = (NearestOptions::default(), ShortestTime::default());
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
-    let factors = if kind == "factors-route" { factors(view) } else { Vec::new() };
+    let is_compared = matches!(kind.as_str(), "open-route" | "factors-route");
+    let factors = if is_compared { factors(view) } else { Vec::new() };
     let factors = WithFactors { base: cost, factors: &factors };
+    let ways = if is_compared { still_open(view, &factors, ways) } else { Some(ways) };
+    let Some(ways) = ways else { return ExitCode::from(3) };
     for i in 0..count {
         let (lane, s) = places[i % places.len()];
         match kind.as_str() {
@@ -117,7 +155,7 @@ fn main() -> ExitCode {
                 let [from, to] = ways[i % ways.len()];
                 black_box(&map.route(from, to, CAR, &factors, &mut scratch, &mut steps));
             }
-            "route" => {
+            "route" | "open-route" => {
                 let [from, to] = ways[i % ways.len()];
                 black_box(&view.route(from, to, CAR, &cost, &mut scratch, &mut steps));
             }

@@ -69,7 +69,7 @@ pub struct ShortestTime {
 pub struct WithFactors<'f, C> {
     /// The cost without factors.
     pub base: C,
-    /// A factor for each lane by its row ([`crate::Map::lanes`] in their order): 1 changes nothing, infinity closes the lane, as does what is negative or
+    /// A factor for each lane by its row ([`crate::LaneId::row`]; lanes 0 have rows, too): 1 changes nothing, infinity closes the lane, as does what is negative or
     /// no number. Lanes beyond the slice have the factor 1.
     pub factors: &'f [f64],
 }

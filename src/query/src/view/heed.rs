@@ -113,10 +113,14 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
 
     #[inline]
     fn beside(&self, number: u32, node: &LaneNode<'a>, left: bool) -> Option<u32> {
-        let (own, index, _) = self.base(number);
-        let beside = self.view.map.beside(own, node, left)?;
+        // A piece has the number of its node.
+        let beside = self.view.map.beside(node.number, node, left)?;
         let pieces = self.view.pieces_of(beside);
-        Some(if pieces.is_empty() { beside } else { self.nodes + pieces.start + index })
+        if pieces.is_empty() {
+            return Some(beside);
+        }
+        let (_, index, _) = self.base(number);
+        Some(self.nodes + pieces.start + index)
     }
 
     fn follows(&self, before: u32, number: u32) -> bool {
@@ -132,7 +136,7 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
         if least == 0.0 {
             return least;
         }
-        if node.piece.is_some_and(|piece| piece.before > 0.0) {
+        if node.piece.is_some_and(|piece| piece.row.before() > 0.0) {
             // By time the node's parts need not count as their lengths do: all of it is taken off.
             least -= cost.pass(&LaneNode { piece: None, ..*node });
         }

@@ -97,12 +97,13 @@ impl<'a> View<'a> {
         if !(self.at >= row.from() && self.at < row.until()) {
             return false;
         }
-        let weekly = row.weekly();
-        weekly.count == 0
-            || weekly
-                .of(tables.weekly)
-                .iter()
-                .any(|time| self.in_week >= time.from() && self.in_week < time.until())
+        row.weekly().count == 0 || self.is_in_week(tables, row)
+    }
+
+    /// Whether an entry holds at this time of the week.
+    fn is_in_week(&self, tables: &OverlayTables<'a>, row: &ArchivedOverlayEntryRow) -> bool {
+        let mut times = row.weekly().of(tables.weekly).iter();
+        times.any(|time| self.in_week >= time.from() && self.in_week < time.until())
     }
 
     /// Whether the overlay has pieces of a lane.
@@ -133,31 +134,33 @@ impl<'a> View<'a> {
     fn piece(&self, number: u32, vehicle: VehicleClass) -> Option<LaneNode<'a>> {
         let tables = self.tables()?;
         let row = tables.pieces.get(number as usize)?;
-        let mut node = LaneNode::new(self.map, tables.nodes.get(row.node() as usize)?.node())?;
+        let number = tables.nodes.get(row.node() as usize)?.node();
+        let base = self.map.tables().lane_nodes.get(number as usize)?;
         let (mut closed, mut opened, mut speed) = (0, 0, f64::INFINITY);
-        for (_, entry) in self.active_on(tables, row) {
-            match OverlayKind::from_code(entry.kind()) {
-                OverlayKind::Closed => closed |= entry.vehicles(),
-                OverlayKind::Open => opened |= entry.vehicles(),
+        for entry in row.entries().of(tables.piece_entries) {
+            let Some(entry) = tables.entries.get(*entry as usize) else { continue };
+            let kind = OverlayKind::from_code(entry.kind());
+            let own = match kind {
+                OverlayKind::Closed => &mut closed,
+                OverlayKind::Open => &mut opened,
                 OverlayKind::Speed if entry.vehicles() & vehicle.bit() != 0 => {
-                    speed = speed.min(entry.value());
+                    if entry.value() < speed && self.is_active(tables, entry) {
+                        speed = entry.value();
+                    }
+                    continue;
                 }
-                _ => {}
+                _ => continue,
+            };
+            if self.is_active(tables, entry) {
+                *own |= entry.vehicles();
             }
         }
-        let length = f64::from(row.length());
         let time = match speed < f64::INFINITY {
-            true => length / crate::lane_length::travel_speed(speed),
+            true => f64::from(row.length()) / crate::lane_length::travel_speed(speed),
             false => f64::from(row.time()),
         };
-        node.piece = Some(NodePiece {
-            s_range: (row.s_from(), row.s_to()),
-            before: row.before().into(),
-            length,
-            time,
-            access: (node.row.access() | opened) & !closed,
-        });
-        Some(node)
+        let piece = NodePiece { row, time, access: (base.access() | opened) & !closed };
+        Some(LaneNode { map: self.map, number, row: base, piece: Some(piece) })
     }
 
     /// Entries that hold on a piece at the view's moment, by number.
