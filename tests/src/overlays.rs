@@ -42,8 +42,37 @@ impl Stretch {
         format!(r#"{{"id":"{id}",{what},"lanes":[{{"key":"{key}","s":[{from},{to}]}}]}}"#)
     }
 
+    /// As an entry that opens it for passenger cars.
+    pub fn opening(&self, id: usize) -> String {
+        self.entry(id).replace(r#""kind":"closed""#, r#""kind":"open""#)
+    }
+
     /// Writes it into the text of the map: `None` where the lane has no body, or has such records already.
     pub fn write_into(&self, text: &str) -> Option<String> {
+        let [from, to] = self.s.map(|s| s - self.start);
+        match self.speed {
+            Some(speed) => self.write(
+                text,
+                &format!(
+                    r#"<speed sOffset="{from}" max="{speed}"/><speed sOffset="{to}" max="undefined"/>"#
+                ),
+            ),
+            None => self.write_closed(text, &["passengerCar"]),
+        }
+    }
+
+    /// Writes into the text of the map that it is closed for these; `None` as [`Self::write_into`].
+    pub fn write_closed(&self, text: &str, vehicles: &[&str]) -> Option<String> {
+        let [from, to] = self.s.map(|s| s - self.start);
+        let deny =
+            |name: &&str| format!(r#"<access sOffset="{from}" rule="deny" restriction="{name}"/>"#);
+        let denied: String = vehicles.iter().map(deny).collect();
+        let records =
+            format!(r#"{denied}<access sOffset="{to}" rule="allow" restriction="none"/>"#);
+        self.write(text, &records)
+    }
+
+    fn write(&self, text: &str, records: &str) -> Option<String> {
         let road = element(text, 0, "road", &self.road)?;
         let end = road + text[road..].find("</road>")?;
         let mut at = road;
@@ -58,15 +87,6 @@ impl Stretch {
         }
         let place = ["<userData", "<height", "<rule"].iter().filter_map(|tag| body.find(tag)).min();
         let place = lane + place.unwrap_or(body.len());
-        let [from, to] = self.s.map(|s| s - self.start);
-        let records = match self.speed {
-            Some(speed) => format!(
-                r#"<speed sOffset="{from}" max="{speed}"/><speed sOffset="{to}" max="undefined"/>"#
-            ),
-            None => format!(
-                r#"<access sOffset="{from}" rule="deny" restriction="passengerCar"/><access sOffset="{to}" rule="allow" restriction="none"/>"#
-            ),
-        };
         Some(format!("{}{records}{}", &text[..place], &text[place..]))
     }
 }

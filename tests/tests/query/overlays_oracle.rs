@@ -106,10 +106,67 @@ fn check(name: &str, text: &str, (speeds, seed): ([f64; 2], u64)) {
     let closed = kept.iter().filter(|stretch| stretch.speed.is_none()).count();
     say(&format!("{name}: {} stretches, {closed} of them closed", kept.len()));
     assert!(kept.len() > 10, "{name}: nothing to compare");
-    places(view, &compiled, &kept, &mut random);
-    let found = routes(view, &compiled, &ShortestLength::default(), &kept, &mut random)
-        + routes(view, &compiled, &ShortestTime::default(), &kept, &mut random);
+    compare(name, view, &compiled, &kept, &mut random);
+}
+
+/// Compares a view with a map of the same content as text.
+fn compare(name: &str, view: View<'_>, compiled: &Snapshot, kept: &[Stretch], random: &mut Random) {
+    places(view, compiled, kept, random);
+    let found = routes(view, compiled, &ShortestLength::default(), kept, random)
+        + routes(view, compiled, &ShortestTime::default(), kept, random);
     assert!(found > PAIRS / 80, "{name}: {found} pairs have a way");
+}
+
+/// Compares a map in which random stretches are closed for these vehicles, and opened for cars by an overlay, with one in which cars may use them.
+fn check_opened(name: &str, text: &str, closed_for: &[&str]) {
+    let plain = open_text(text);
+    let mut random = Random(7);
+    let (mut closed, mut open) = (text.to_owned(), text.to_owned());
+    let mut kept = Vec::new();
+    for stretch in stretches(plain.map(), SLOWER.0, &mut random) {
+        let stretch = Stretch { speed: None, ..stretch };
+        let road = plain.map().road_by_id(&stretch.road).expect("the road");
+        let section = road.section(stretch.section as u32).expect("the section");
+        let lane = section.lane(stretch.lane).expect("the lane");
+        // What the file itself closes would be opened, too.
+        if !lane.nodes().all(|node| node.allows(CAR)) {
+            continue;
+        }
+        // What is open for cars is cut where what is closed is.
+        let written = stretch.write_closed(&closed, closed_for);
+        let other = stretch.write_closed(&open, &["truck"]);
+        if let Some(both) = written.zip(other) {
+            (closed, open) = both;
+            kept.push(stretch);
+        }
+    }
+    let plain = open_text(&closed);
+    let map = plain.map();
+    let entries: Vec<String> = kept.iter().enumerate().map(|(i, s)| s.opening(i)).collect();
+    let document = format!(r#"{{"entries":[{}]}}"#, entries.join(","));
+    let (bytes, resolved) = over(map, &document, true);
+    assert_eq!(resolved.unplaced, [], "{name}");
+    let overlay = open_overlay(&bytes).expect("opens");
+    let view = View::new(map, Some(&overlay), UNIX_EPOCH).expect("its own");
+    say(&format!("{name}: {} stretches opened", kept.len()));
+    assert!(kept.len() > 10, "{name}: nothing to compare");
+    for stretch in &kept {
+        let road = map.road_by_id(&stretch.road).expect("the road");
+        let section = road.section(stretch.section as u32).expect("the section");
+        let lane = section.lane(stretch.lane).expect("the lane");
+        let middle = 0.5 * (stretch.s[0] + stretch.s[1]);
+        assert!(!lane.allows_at(middle, CAR), "{name}: {stretch:?}");
+        let today = view.allows(lane.lane_id(), middle, CAR).expect("an answer");
+        assert!(today.is_allowed && today.restriction.is_some(), "{name}: {stretch:?} {today:?}");
+    }
+    compare(name, view, &open_text(&open), &kept, &mut random);
+}
+
+/// Classes for which landmarks are made: without them a lane has no bounds.
+fn motor() -> Vec<&'static str> {
+    let classes = VehicleClass::ALL.iter();
+    let motor = classes.filter(|class| class.bit() & VehicleClass::MOTOR != 0);
+    motor.map(|class| class.name()).collect()
 }
 
 /// Permissions and limits, at places of restricted lanes that are not at a cut.
@@ -228,6 +285,8 @@ fn named(map: Map<'_>, steps: &[RouteStep]) -> Vec<String> {
 fn a_generated_town() {
     check("town", &town(7, 6), SLOWER);
     check("town", &town(7, 6), FASTER);
+    check_opened("town", &town(7, 6), &["passengerCar"]);
+    check_opened("town", &town(7, 6), &motor());
 }
 
 #[test]
@@ -239,5 +298,7 @@ fn maps_of_the_corpus() {
         let text = std::fs::read_to_string(folder.join(name)).expect("a map");
         check(name, &text, SLOWER);
         check(name, &text, FASTER);
+        check_opened(name, &text, &["passengerCar"]);
+        check_opened(name, &text, &motor());
     }
 }
