@@ -137,10 +137,13 @@ impl Reader<'_> {
         }
         let core = &zone.core_details;
         let said = core.description.as_deref().or(core.name.as_deref()).unwrap_or_default();
-        let text = match said.is_empty() {
-            true => zone.vehicle_impact.0.clone(),
-            false => format!("{}: {said}", zone.vehicle_impact.0),
-        };
+        let mut text = zone.vehicle_impact.0.clone();
+        if zone.worker_presence.as_ref().is_some_and(|workers| workers.are_workers_present) {
+            text += ", workers present";
+        }
+        if !said.is_empty() {
+            text = format!("{text}: {said}");
+        }
         let base = Entry {
             id: feature.id,
             kind: Kind::Warning,
@@ -190,9 +193,14 @@ impl Reader<'_> {
         }
         if let Some(kph) = zone.reduced_speed_limit_kph {
             let within = ".properties.reduced_speed_limit_kph";
-            self.add(own, "speed", within, OnLine { lanes: &all, of: None }, |entry| {
-                (entry.kind, entry.value) = (Kind::Speed, Some(kph / 3.6));
-            });
+            let on = OnLine { lanes: &all, of: None };
+            match kph > 0.0 {
+                true => self.add(own, "speed", within, on, |entry| {
+                    (entry.kind, entry.value) = (Kind::Speed, Some(kph / 3.6));
+                }),
+                // Programs write it where they know of no limit.
+                false => self.find(within, "no limit of traffic that goes on"),
+            }
         }
         for (i, restriction) in zone.restrictions.iter().enumerate() {
             let within = format!(".properties.restrictions[{i}]");

@@ -30,6 +30,7 @@ mod overlays_lines;
 mod overlays_oracle;
 mod overlays_places;
 mod overlays_schema;
+mod overlays_wzdx;
 mod path_ahead;
 mod path_changes;
 mod path_feet;

@@ -383,13 +383,21 @@ fn a_feed_applied_again_is_all_that_it_says() {
     // A work zone along the lane at the place of `own`, as many kilometres as it takes degrees.
     let zone = |status: &str| {
         let at = |x: f64| [11.0 + x / 74_600.0, 48.0 - 1.75 / 111_200.0];
-        serde_json::json!({"type": "FeatureCollection", "features": [{
+        let feed_info = serde_json::json!({
+            "update_date": "2026-01-01T00:00:00Z", "version": "4.2", "publisher": "mapd tests",
+            "data_sources": [{"data_source_id": "test", "organization_name": "mapd tests"}],
+        });
+        serde_json::json!({"feed_info": feed_info, "type": "FeatureCollection", "features": [{
             "type": "Feature", "id": "zone",
             "properties": {
-                "core_details": {"event_type": "work-zone", "data_source_id": "test", "road_names": []},
+                "core_details": {
+                    "event_type": "work-zone", "data_source_id": "test", "direction": "eastbound", "road_names": ["A"],
+                },
                 "start_date": "2026-01-01T00:00:00Z", "end_date": "2036-01-01T00:00:00Z",
+                "is_start_date_verified": true, "is_end_date_verified": false,
+                "is_start_position_verified": true, "is_end_position_verified": true,
+                "location_method": "unknown",
                 "vehicle_impact": "all-lanes-closed", "event_status": status,
-                "lanes": null, "restrictions": null,
             },
             "geometry": {"type": "LineString", "coordinates": [at(20.0), at(60.0)]},
         }]})

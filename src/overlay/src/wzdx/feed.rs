@@ -70,6 +70,14 @@ pub(super) struct WorkZone {
     pub(super) restrictions: Vec<Restriction>,
     #[serde(default, deserialize_with = "or_default")]
     pub(super) lanes: Vec<Lane>,
+    #[serde(default)]
+    pub(super) worker_presence: Option<WorkerPresence>,
+}
+
+/// Whether people work there.
+#[derive(Deserialize)]
+pub(super) struct WorkerPresence {
+    pub(super) are_workers_present: bool,
 }
 
 /// What a zone does to traffic, in the feed's word.
