@@ -9,7 +9,7 @@ const ORDER = [
 const FAR = 0.5;
 // Pixels a metre below which only these lines are drawn, of pieces as long as that [m]: a lane is thinner than a pixel.
 const FARTHEST = 0.3, FAR_PIECE = 12;
-// Corners that are drawn at a time at most, but for chunks that have more.
+// Corners that are drawn at a time at most: a multiple of 3 and of 4.
 const PIECE = 6000;
 // Radius of a signal [m], and its least and largest radius on the screen [pixels].
 const SIGN = [0.8, 3.4, 12];
@@ -47,6 +47,14 @@ class Painter {
     this.stroke = this.program(STROKE_VERTEX, STROKE_FRAGMENT);
     this.sign = this.program(SIGN_VERTEX, SIGN_FRAGMENT);
     this.frames = new Frames(gl, this.program(SEEN_VERTEX, SEEN_FRAGMENT));
+    const quads = new Uint16Array(PIECE / 4 * 6);
+    for (let i = 0; i < PIECE / 4; i++) quads.set([0, 1, 2, 2, 1, 3].map(corner => 4 * i + corner), 6 * i);
+    this.quads = gl.createVertexArray();
+    gl.bindVertexArray(this.quads);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, quads, gl.STATIC_DRAW);
+    gl.bindVertexArray(null);
+    this.row = Math.floor(Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), 8192) / 3);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.enable(gl.DEPTH_TEST);
@@ -91,22 +99,29 @@ class Painter {
       gl.enableVertexAttribArray(1);
       gl.vertexAttribIPointer(1, 1, gl.UNSIGNED_INT, 16, 12);
     }
-    if (drawing.strokes.length) {
-      made.strokes = gl.createVertexArray();
-      gl.bindVertexArray(made.strokes);
-      made.pieces = buffer(gl.ARRAY_BUFFER, drawing.strokes);
-      for (let i = 0; i < 4; i++) {
-        gl.enableVertexAttribArray(i);
-        gl.vertexAttribDivisor(i, 1);
-      }
-    }
+    if (drawing.strokes.length) made.strokes = this.table(drawing.strokes);
     gl.bindVertexArray(null);
     return made;
   }
 
+  // Pieces of lines as a texture, three texels each, for the corners to look up: instances would take less, but where there is no graphics card,
+  // each of them is a drawing of its own and takes as long as a hundred corners.
+  table(strokes) {
+    const gl = this.gl, count = strokes.length / 9, rows = Math.ceil(count / this.row), data = new Uint32Array(12 * this.row * rows);
+    if (rows > gl.getParameter(gl.MAX_TEXTURE_SIZE)) throw new Error("This map has more lines than this browser's graphics can hold.");
+    for (let from = 0, to = 0; from < strokes.length; to += 3) for (let i = 0; i < 9; i++) data[to++] = strokes[from++];
+    const made = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, made);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32UI, 3 * this.row, rows);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 3 * this.row, rows, gl.RGBA_INTEGER, gl.UNSIGNED_INT, data);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+    return made;
+  }
+
   unload(made) {
-    for (const buffer of [made?.corners, made?.triangles, made?.pieces]) if (buffer) this.gl.deleteBuffer(buffer);
-    for (const array of [made?.areas, made?.strokes]) if (array) this.gl.deleteVertexArray(array);
+    for (const buffer of [made?.corners, made?.triangles]) if (buffer) this.gl.deleteBuffer(buffer);
+    if (made?.areas) this.gl.deleteVertexArray(made.areas);
+    if (made?.strokes) this.gl.deleteTexture(made.strokes);
   }
 
   set(name, drawing) {
@@ -136,18 +151,21 @@ class Painter {
     Object.assign(this, { names, dark, back });
   }
 
-  // Ranges of what is seen: of triangles (2, 4 of a chunk) or strokes (6), side by side as one up to so many.
+  // Ranges of what is seen: of triangles (2, 4 of a chunk) or strokes (6), those side by side as one, up to so many each.
   *runs(made, which, [x0, y0, x1, y1], most) {
+    const cut = function* (first, count) {
+      for (let at = 0; at < count; at += most) yield [first + at, Math.min(most, count - at)];
+    };
     let first = 0, count = 0;
     for (let i = 0; i < made.ranges.length; i += 8) {
       const [a, b, c, d] = made.chunks.subarray(i, i + 4);
       const [from, of] = made.ranges.subarray(i + which, i + which + 2);
       if (!of || a > x1 || c < x0 || b > y1 || d < y0) continue;
-      if (count && first + count === from && count < most) { count += of; continue; }
-      if (count) yield [first, count];
+      if (count && first + count === from) { count += of; continue; }
+      yield* cut(first, count);
       [first, count] = [from, of];
     }
-    if (count) yield [first, count];
+    yield* cut(first, count);
   }
 
   use({ program, places }, camera, ratio) {
@@ -180,23 +198,22 @@ class Painter {
   *strokes(made, camera, ratio, seen, kind = this.stroke, { thinnest = 1.2, tint = [0, 0, 0, 0], radius = 0 } = {}) {
     if (!made?.strokes) return;
     const gl = this.gl;
+    let first = null;
     const prepare = () => {
       const places = this.use(kind, camera, ratio);
       gl.uniform1f(places.thinnest, thinnest * ratio);
       gl.uniform4f(places.tint, ...tint);
       gl.uniform1f(places.radius, radius * ratio);
       gl.depthMask(false);
-      gl.bindVertexArray(made.strokes);
-      gl.bindBuffer(gl.ARRAY_BUFFER, made.pieces);
+      gl.uniform1i(places.row, this.row);
+      gl.bindTexture(gl.TEXTURE_2D, made.strokes);
+      gl.bindVertexArray(this.quads);
+      first = places.first;
     };
-    for (const [first, count] of this.runs(made, 6, seen, PIECE / 4)) {
+    for (const [from, count] of this.runs(made, 6, seen, PIECE / 4)) {
       const draw = () => {
-        const at = 36 * first;
-        gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 36, at);
-        gl.vertexAttribPointer(1, 2, gl.FLOAT, false, 36, at + 8);
-        gl.vertexAttribPointer(2, 4, gl.FLOAT, false, 36, at + 16);
-        gl.vertexAttribIPointer(3, 1, gl.UNSIGNED_INT, 36, at + 32);
-        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+        gl.uniform1i(first, from);
+        gl.drawElements(gl.TRIANGLES, 6 * count, gl.UNSIGNED_SHORT, 0);
       };
       yield { prepare, corners: 4 * count, draw };
     }

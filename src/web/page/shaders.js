@@ -54,11 +54,18 @@ void main() {
   result = vec4(color.rgb * a, a);
 }`;
 
-const STROKE_VERTEX = COMMON + `
-layout(location = 0) in vec2 from;
-layout(location = 1) in vec2 to;
-layout(location = 2) in vec4 look;   // along, width, dash, gap
-layout(location = 3) in uint paint;
+// A piece of a line, by the number of its corner.
+const PIECES = COMMON + `
+uniform highp usampler2D pieces;     // three texels each
+uniform int first;                   // the piece of corner 0
+uniform int row;                     // pieces in a row
+uvec4 part(int number) {
+  int piece = first + gl_VertexID / 4;
+  return texelFetch(pieces, ivec2(piece % row * 3 + number, piece / row), 0);
+}
+`;
+
+const STROKE_VERTEX = PIECES + `
 uniform float thinnest;              // pixels
 uniform vec4 tint;                   // in place of the paint, if it can be seen
 out vec4 color;
@@ -66,7 +73,10 @@ out vec2 at;                         // pixels along and across
 flat out vec2 size;                  // length and half width in pixels
 flat out vec3 dashes;                // pixels
 void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1);
+  vec4 ends = uintBitsToFloat(part(0)), look = uintBitsToFloat(part(1));   // along, width, dash, gap
+  vec2 from = ends.xy, to = ends.zw;
+  uint paint = part(2).x;
   float scale = length(view.zw);
   vec2 a = pixels(from), b = pixels(to);
   vec2 ahead = b - a;
@@ -111,17 +121,16 @@ void main() {
 }`;
 
 // A signal: a picture that faces the screen, with a short stroke to where its face looks.
-const SIGN_VERTEX = COMMON + `
-layout(location = 0) in vec2 from;
-layout(location = 1) in vec2 to;
-layout(location = 2) in vec4 look;
-layout(location = 3) in uint paint;
+const SIGN_VERTEX = PIECES + `
 uniform float radius;   // pixels
 out vec2 at;
 flat out uint kind;
 flat out vec2 facing;
 void main() {
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1 & 1) * 2.0 - 1.0;
+  vec4 ends = uintBitsToFloat(part(0));
+  vec2 from = ends.xy, to = ends.zw;
+  uint paint = part(2).x;
   float reach = radius * 1.9;
   kind = paint & 255u;
   at = corner * 1.9;
