@@ -1,5 +1,5 @@
 // Colours by name of paint: light theme, dark theme, opacity. Lane types differ in lightness as well as in hue, so that they can
-// be told apart without seeing colours.
+// be told apart without seeing colours. A test holds that what is chosen, what an overlay says and a route differ for each kind of colour blindness.
 const COLORS = {
   "none": ["#dcdfd7", "#1d2225", 1],
   "other lane": ["#c6c8c4", "#33383c", 1],
@@ -33,17 +33,17 @@ const COLORS = {
   "left out outline": ["#c01515", "#ff6b6b", 1],
   "conflict": ["#d400a8", "#ff5fd7", 0.8],
   "index box": ["#0a8f52", "#2bd98a", 0.55],
-  "chosen": ["#0a6cff", "#3d9bff", 0.72],
-  "next": ["#12a37a", "#35d6a4", 0.5],
-  "before": ["#c78a00", "#ffc247", 0.42],
-  "other": ["#d4342c", "#ff6a60", 0.5],
-  "route": ["#d6246e", "#ff5a9d", 0.95],
-  "corridor": ["#d6246e", "#ff5a9d", 0.25],
-  "corridor edge": ["#d6246e", "#ff5a9d", 0.8],
-  "closed": ["#c0272d", "#ff5a52", 1],
-  "opened": ["#3f9a4a", "#53d067", 1],
-  "slower": ["#ee8a2a", "#ffa04d", 1],
-  "told": ["#d9b400", "#ffdf4d", 1],
+  "chosen": ["#348ff5", "#6f9bdb", 0.85],
+  "next": ["#145942", "#b2ffe6", 0.75],
+  "before": ["#fed900", "#f4d534", 0.75],
+  "other": ["#bb0504", "#f37c8e", 0.75],
+  "route": ["#b8006a", "#ff5a9d", 0.95],
+  "corridor": ["#b8006a", "#ff5a9d", 0.25],
+  "corridor edge": ["#b8006a", "#ff5a9d", 0.8],
+  "closed": ["#970e06", "#db7082", 1],
+  "opened": ["#046243", "#c2f0d6", 1],
+  "slower": ["#cd4b01", "#e8b27d", 1],
+  "told": ["#ffff00", "#f2f141", 1],
 };
 
 // Lanes by type, as the legend lists them.

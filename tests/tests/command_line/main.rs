@@ -13,6 +13,7 @@ mod help_text;
 mod numbers;
 mod options_documented;
 mod page;
+mod page_colors;
 mod pages;
 mod path_queries;
 mod progress;
