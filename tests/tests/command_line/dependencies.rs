@@ -1,6 +1,7 @@
 //! A planner that names `mapd-client` builds no parser, no thread pool, no command line; one that only observes, no iceoryx2 and few crates.
 
 use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Crates that only the compiler and the daemon need.
@@ -90,4 +91,47 @@ fn no_dependency_needs_a_newer_rust_than_is_promised() {
         .map(|package| &package["name"])
         .collect();
     assert!(newer.is_empty(), "these need a newer Rust than {ours}: {newer:?}");
+}
+
+/// A target without a test harness is built once instead of twice, and a unit test that somebody adds to it would never run.
+#[test]
+fn what_has_no_harness_has_no_unit_tests() {
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    let output = Command::new(cargo)
+        .args(["metadata", "--format-version", "1", "--offline", "--no-deps"])
+        .current_dir(mapd_tests::workspace())
+        .output()
+        .expect("cargo runs");
+    let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let packages = metadata["packages"].as_array().expect("packages");
+    let targets =
+        packages.iter().flat_map(|package| package["targets"].as_array().expect("targets"));
+    let mut seen = 0;
+    for target in targets.filter(|target| target["test"] == false) {
+        let file = Path::new(target["src_path"].as_str().expect("a path"));
+        let folder = file.parent().expect("a folder");
+        // A program beside a library is its one file: what else is in the folder belongs to the library.
+        let is_beside_library = file.ends_with("main.rs") && folder.join("lib.rs").exists();
+        let sources = if is_beside_library { vec![file.to_owned()] } else { rust_files(folder) };
+        for source in sources {
+            let text = std::fs::read_to_string(&source).expect("text");
+            assert!(!text.contains("#[test]"), "{} is never run", source.display());
+            seen += 1;
+        }
+    }
+    assert!(seen > 0, "no target is without a harness");
+}
+
+/// Rust files in a folder and all below it.
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            files.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    files
 }

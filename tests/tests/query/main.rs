@@ -12,6 +12,7 @@ mod driving_direction;
 mod geodesy;
 mod graph_maps;
 mod ground;
+mod ids;
 mod index_oracle;
 mod landmarks;
 mod lane_graph;

@@ -1,13 +1,8 @@
 //! Compiled curves against adaptive integration with 32 digits, in the curve's own frame.
-#![allow(clippy::disallowed_methods, reason = "what is compared with may come from the system")]
 
-#[path = "extended/double.rs"]
-mod double;
-mod oracle;
-
-use double::{Double, Rule};
+use crate::double::{Double, Rule};
+use crate::oracle::{Random, Sample};
 use mapd_geometry::{ParameterRange, Primitive, Start};
-use oracle::{Random, Sample};
 
 /// Position error allowed to lines, arcs and spirals `[m]`, and heading error `[rad]`, once more per radian of heading.
 const EXACT: f64 = 1e-9;

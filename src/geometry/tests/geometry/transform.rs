@@ -1,5 +1,4 @@
 //! Curves moved into another plane, against the exact images of their points.
-#![allow(clippy::disallowed_methods, reason = "what is compared with may come from the system")]
 
 use core::f64::consts::TAU;
 use glam::DVec2;

@@ -1,10 +1,7 @@
 //! Compiled curves against quadrature of their definitions.
-#![allow(clippy::disallowed_methods, reason = "what is compared with may come from the system")]
 
-mod oracle;
-
+use crate::oracle::{Oracle, Random, Sample, shape};
 use mapd_geometry::{CurveKind, ParameterRange, Primitive, Start, compile, normalize_angle};
-use oracle::{Oracle, Random, Sample, shape};
 use std::f64::consts::{PI, TAU};
 
 /// Position error allowed to lines, arcs and spirals `[m]`.

@@ -290,17 +290,16 @@ fn bombs() {
     let mut failures = String::new();
     for (name, ..) in BOMBS {
         let run = Command::new(&program)
-            .args(["--exact", "one_bomb", "--nocapture"])
+            .args(["--exact", "bombs::one_bomb", "--nocapture"])
             .env(VARIABLE, name)
             .output()
             .expect("the test's own program runs");
         let words = String::from_utf8_lossy(&run.stderr);
-        if !run.status.success() {
-            failures += &words;
+        let lines: Vec<&str> = words.lines().filter(|line| line.starts_with(name)).collect();
+        if !run.status.success() || lines.is_empty() {
+            failures += &format!("{name}: {}\n{words}", run.status);
         }
-        for line in words.lines().filter(|line| line.starts_with(name)) {
-            say(line);
-        }
+        lines.iter().for_each(|line| say(line));
     }
     assert!(failures.is_empty(), "{failures}");
 }

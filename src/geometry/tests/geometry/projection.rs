@@ -1,10 +1,7 @@
 //! Projection: the inverse of evaluation, and never farther than any sampled point.
-#![allow(clippy::disallowed_methods, reason = "what is compared with may come from the system")]
 
-mod oracle;
-
+use crate::oracle::{Random, Sample};
 use mapd_geometry::{Curve, ParameterRange, Primitive, Projection, Start, clamp};
-use oracle::{Random, Sample};
 
 /// Agreement of a foot with the point it came from, along the curve and across it `[m]`.
 const ROUND_TRIP: f64 = 1e-7;

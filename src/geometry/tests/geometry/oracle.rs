@@ -1,8 +1,5 @@
 //! Independent values for curves: nothing but quadrature of the definitions, slow and simple.
 
-// Every test binary uses its own part of this module.
-#![allow(dead_code)]
-
 use mapd_geometry::{Compiled, Curve, CurveKind, ParameterRange, Primitive, Start, compile};
 use std::f64::consts::PI;
 

@@ -1,5 +1,4 @@
 //! Heights worked out by hand, and slopes against differences.
-#![allow(clippy::disallowed_methods, reason = "what is compared with may come from the system")]
 
 use mapd_geometry::Cubic;
 use mapd_geometry::surface::{
