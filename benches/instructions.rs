@@ -107,6 +107,13 @@ fn of_one(program: &str, args: &[&str], runs: [usize; 2]) -> Option<f64> {
     Some(long.saturating_sub(short) as f64 / (runs[1] - runs[0]) as f64)
 }
 
+/// As [`of_one`], once valgrind has counted something.
+///
+/// Panics: the program fails.
+fn counted(program: &str, args: &[&str], runs: [usize; 2]) -> f64 {
+    of_one(program, args, runs).unwrap_or_else(|| panic!("{program} {args:?} fails under valgrind"))
+}
+
 /// Tells a figure; whether it is beyond its bound.
 fn exceeds(what: &str, found: f64, bound: f64, digits: usize) -> bool {
     let mark = if found > bound { ": EXCEEDED" } else { "" };
@@ -143,33 +150,24 @@ fn main() -> ExitCode {
         };
         exceeded |= exceeds(kind, each, bound as f64, 0);
     }
-    let particle = |kind: &str| {
-        let batch = of_one(&probe, &[&path, kind], CLOUDS)?;
-        Some(batch / mapd_benches::PARTICLES as f64)
-    };
-    if let Some((batch, single)) = particle("cloud").zip(particle("cloud-single")) {
-        exceeded |= exceeds("cloud, per particle", batch, PARTICLE, 0);
-        print(&format!("the same one by one: {single:.0}, {:.1} ×", single / batch));
-    }
+    let particle =
+        |kind: &str| counted(&probe, &[&path, kind], CLOUDS) / mapd_benches::PARTICLES as f64;
+    let (batch, single) = (particle("cloud"), particle("cloud-single"));
+    exceeded |= exceeds("cloud, per particle", batch, PARTICLE, 0);
+    print(&format!("the same one by one: {single:.0}, {:.1} ×", single / batch));
     for (kind, bound) in PATH_BOUNDS {
-        let each = of_one(&path_probe, &[&path, kind], PATH_RUNS);
-        exceeded |=
-            each.is_some_and(|each| exceeds(&format!("path, {kind}"), each, bound as f64, 0));
+        let each = counted(&path_probe, &[&path, kind], PATH_RUNS);
+        exceeded |= exceeds(&format!("path, {kind}"), each, bound as f64, 0);
     }
-    if let Some(batch) = of_one(&path_probe, &[&path, "project-batch"], PATH_BATCHES) {
-        exceeded |= exceeds("path, a point of a batch", batch / PATH_POINTS, PATH_POINT, 0);
-    }
+    let batch = counted(&path_probe, &[&path, "project-batch"], PATH_BATCHES);
+    exceeded |= exceeds("path, a point of a batch", batch / PATH_POINTS, PATH_POINT, 0);
     let patch = folder.path().join("patch.xodr");
     std::fs::write(&patch, mapd_benches::own_roads(&text)).expect("the patch is written");
     let [plain, patched] = ["-".into(), patch.to_string_lossy()]
-        .map(|patch| of_one(env!("CARGO_BIN_EXE_compile_probe"), &[&town, &patch], COMPILATIONS));
-    if let Some(each) = plain {
-        exceeded |= exceeds("compile, per byte", each / text.len() as f64, PER_BYTE, 1);
-    }
-    if let Some((plain, patched)) = plain.zip(patched) {
-        let what = format!("compile with a patch: {:.3} of without", patched / plain);
-        exceeded |= exceeds(&what, patched, plain * PATCHED, 0);
-    }
+        .map(|patch| counted(env!("CARGO_BIN_EXE_compile_probe"), &[&town, &patch], COMPILATIONS));
+    exceeded |= exceeds("compile, per byte", plain / text.len() as f64, PER_BYTE, 1);
+    let what = format!("compile with a patch: {:.3} of without", patched / plain);
+    exceeded |= exceeds(&what, patched, plain * PATCHED, 0);
     exceeded |= views::run(&view_probe, folder.path());
     if exceeded { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }

@@ -115,7 +115,7 @@ impl Failure {
         self.0.0
     }
 
-    // By value and never inlined, like the next one: a reference to the name would lie on the stack in every call that does not fail.
+    // By value and never inlined, like the next two: a reference to the name would lie on the stack in every call that does not fail.
     #[cold]
     #[inline(never)]
     pub(crate) fn null(what: &'static str) -> Self {

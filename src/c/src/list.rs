@@ -131,7 +131,7 @@ pub(crate) unsafe fn put_answer<A: Copy, T: From<A>, E: Into<Failure>>(
     }
 }
 
-/// As [`put`], converted on the way: read only once the pointer is proven, or it would be kept elsewhere until then.
+/// As [`put`], converted on the way. The value is read after the check: the compiler would otherwise copy it to the stack first.
 ///
 /// # Safety
 ///

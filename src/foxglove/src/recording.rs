@@ -2,7 +2,7 @@
 
 use crate::scene::{Frame, MIDDLE};
 use crate::{lanes, marks, signals};
-use anyhow::Result;
+use anyhow::{Context as _, Result};
 use foxglove::messages::{
     FrameTransform, LocationFix, Quaternion, SceneUpdate, Timestamp, Vector3,
 };
@@ -42,7 +42,10 @@ pub(crate) fn of(map: Map<'_>, time: Duration) -> Result<Recording> {
     let context = Context::new();
     let file = context.mcap_writer().create(Cursor::new(Vec::new()))?;
     let writer = Writer { context, time };
-    let stamp = Some(Timestamp::new(u32::try_from(time.as_secs())?, time.subsec_nanos()));
+    let stamp = Some(Timestamp::new(
+        u32::try_from(time.as_secs()).context("the time is later than 2106")?,
+        time.subsec_nanos(),
+    ));
     let frame = Frame::of(map);
     let middle = frame.middle();
     writer.log(

@@ -138,7 +138,7 @@ impl Reader<'_> {
         let core = &zone.core_details;
         let said = core.description.as_deref().or(core.name.as_deref()).unwrap_or_default();
         let mut text = zone.vehicle_impact.0.clone();
-        if zone.worker_presence.as_ref().is_some_and(|workers| workers.are_workers_present) {
+        if zone.worker_presence.as_ref().is_some_and(|workers| workers.is_certain()) {
             text += ", workers present";
         }
         if !said.is_empty() {
@@ -198,8 +198,9 @@ impl Reader<'_> {
                 true => self.add(own, "speed", within, on, |entry| {
                     (entry.kind, entry.value) = (Kind::Speed, Some(kph / 3.6));
                 }),
-                // Programs write it where they know of no limit.
-                false => self.find(within, "no limit of traffic that goes on"),
+                // Some programs write 0 where they know no limit.
+                false => self
+                    .find(within, "a limit of 0 or less is not taken; close lanes by their status"),
             }
         }
         for (i, restriction) in zone.restrictions.iter().enumerate() {

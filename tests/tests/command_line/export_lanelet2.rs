@@ -111,6 +111,44 @@ fn read(path: &Path) -> Osm {
     }
 }
 
+/// Checks that what is around an area, or each hole in it, is closed and has at least three corners; what is around it runs clockwise.
+fn check_rings(osm: &Osm, area: &Element, role: &str, name: &str) {
+    let ways = area.members.iter().filter(|(own, _)| own == role);
+    let ways: Vec<Vec<u64>> = ways
+        .map(|(_, way)| osm.ways[way].members.iter().map(|(_, point)| *point).collect())
+        .collect();
+    assert!(role != "outer" || !ways.is_empty(), "{name} has nothing around it");
+    let rings = if role == "outer" { vec![joined(&ways, name)] } else { ways };
+    for ring in rings {
+        assert!(ring.len() > 3 && ring.first() == ring.last(), "{name}: {ring:?}");
+        let places = ring.iter().map(|point| osm.place(*point).truncate());
+        let places: Vec<_> = places.collect();
+        let twice: f64 =
+            places.windows(2).map(|pair| (pair[0] - places[0]).perp_dot(pair[1] - places[0])).sum();
+        assert!(role != "outer" || twice <= 0.0, "{name} runs counter-clockwise");
+    }
+}
+
+/// Ways that follow each other, each in the direction in which it goes on from the one before.
+fn joined(ways: &[Vec<u64>], name: &str) -> Vec<u64> {
+    let mut ring = ways[0].clone();
+    if let Some(next) = ways.get(1)
+        && ![next.first(), next.last()].contains(&ring.last())
+    {
+        ring.reverse();
+    }
+    for way in &ways[1..] {
+        let end = ring.last().copied();
+        let mut way = way.clone();
+        if way.first().copied() != end {
+            way.reverse();
+        }
+        assert_eq!(way.first().copied(), end, "{name}: {ways:?}");
+        ring.extend(&way[1..]);
+    }
+    ring
+}
+
 impl Osm {
     fn place(&self, node: u64) -> DVec3 {
         let tags = &self.nodes[&node].tags;
@@ -190,6 +228,7 @@ fn ends(lanelet: &Lanelet<'_>, forward: bool, at_end: bool) -> [u64; 2] {
 
 #[test]
 fn every_reference_has_its_element_and_every_element_its_tags() {
+    let mut shared = 0;
     for path in carried_and(&MAPS) {
         let snapshot = open(&path);
         let (osm, ..) = export(snapshot.map(), &path);
@@ -221,9 +260,8 @@ fn every_reference_has_its_element_and_every_element_its_tags() {
                 }
                 "multipolygon" => {
                     assert!(relation.tags.contains_key("subtype"), "{name}: {id}");
-                    for (_, way) in &relation.members {
-                        let ring = &osm.ways[way].members;
-                        assert!(ring.len() > 3 && ring.first() == ring.last(), "{name}: {ring:?}");
+                    for role in ["outer", "inner"] {
+                        check_rings(&osm, relation, role, &format!("{name}: {id}"));
                     }
                 }
                 other => panic!("{name}: {other}"),
@@ -237,10 +275,23 @@ fn every_reference_has_its_element_and_every_element_its_tags() {
         let lanes = snapshot.map().lanes().filter(|lane| !lane.is_temporary());
         let stands =
             lanes.filter(|lane| matches!(lane.kind(), LaneType::Parking | LaneType::Median));
+        // A section that became part of its neighbours has no area, and none has a lane without a width.
+        let extends = |lane: &Lane<'_>| {
+            let (low, high) = (lane.section().s_start(), lane.section().s_end());
+            let places = (0..=8).map(|part| low + (high - low) * f64::from(part) / 8.0);
+            high - low >= 0.1 && places.into_iter().any(|s| lane.width_at(s) >= 0.01)
+        };
+        let stands = stands.filter(extends);
         let keys: BTreeSet<String> = stands.map(|lane| lane.key().to_string()).collect();
         let expected: BTreeSet<&String> = keys.iter().filter(|key| !driven.contains(key)).collect();
         assert_eq!(areas, expected, "{name}");
+        let ways = |kind: &str| -> BTreeSet<u64> {
+            let of_kind = osm.relations.values().filter(move |one| says(one, "type", kind));
+            of_kind.flat_map(|one| one.members.iter().map(|(_, member)| *member)).collect()
+        };
+        shared += ways("lanelet").intersection(&ways("multipolygon")).count();
     }
+    assert!(shared > 0, "no area has a border of a lanelet");
 }
 
 #[test]

@@ -217,6 +217,15 @@ fn what_else_a_feed_may_have() {
     let feed = read(&more);
     assert_eq!(said(&feed), [("zone", Kind::Warning, "unknown, workers present: Paving")]);
     assert_eq!(findings(&feed), [""; 0]);
+    for presence in [
+        json!(null),
+        json!({}),
+        json!({"are_workers_present": null}),
+        json!({"are_workers_present": "yes"}),
+    ] {
+        let feed = read(&json!({"worker_presence": presence}));
+        assert_eq!(said(&feed), [("zone", Kind::Warning, "unknown: Paving")], "{presence}");
+    }
     let feed = read(&json!({"reduced_speed_limit_kph": 36}));
     assert_eq!(feed.document.entries[1].value, Some(10.0));
     // What cannot be said is told.

@@ -1,22 +1,21 @@
-//! Areas beside the lanes: where vehicles park, islands, buildings, plants.
+//! Areas beside the lanes: where vehicles park, islands, buildings, plants. Those that are lanes share borders with lanelets beside them.
 
-use super::model::{Area, Model};
+use super::model::{Area, BorderLine, Edge, Model};
+use super::network::is_wide;
 use super::report::Report;
+use super::stretches::borders;
+use super::tags::Tag;
 use mapd_client::glam::DVec3;
 use mapd_client::objects::ObjectPlacement;
 use mapd_client::vocabulary::{Class, LaneType, ObjectShape};
 use mapd_client::{Lane, Map};
+use std::ops::Range;
 
 /// Adds an area for each lane section of a kind that Lanelet2 has as an area, unless somebody drives there, and for each place of such an
 /// object.
 pub(super) fn add<'a>(map: Map<'a>, model: &mut Model<'a>, report: &mut Report) {
-    let lanes = map.lanes().filter(|lane| lane.number() != 0 && !lane.is_temporary());
-    for lane in lanes {
-        let Some(subtype) = of_lane(lane.kind()) else { continue };
-        if model.network.lanelets_of(&lane).is_empty() {
-            let tag = ("lane_key", lane.key().to_string().into());
-            model.add_area(&[around(&lane)], subtype, tag, report);
-        }
+    for strip in model.strips(report) {
+        model.add_strip(&strip);
     }
     for object in map.objects().filter(|object| !object.is_temporary()) {
         let Some(subtype) = of_object(object.class()) else { continue };
@@ -25,6 +24,16 @@ pub(super) fn add<'a>(map: Map<'a>, model: &mut Model<'a>, report: &mut Report) 
             model.add_area(&rings(&place), subtype, tag, report);
         }
     }
+}
+
+/// A lane that is an area, along pieces of its stretch on which it has a width.
+struct Strip<'a> {
+    lane: Lane<'a>,
+    subtype: &'static str,
+    stretch: u32,
+    /// Borders to the left and right of the reference line's direction.
+    borders: [u32; 2],
+    pieces: Range<u32>,
 }
 
 fn of_lane(kind: LaneType) -> Option<&'static str> {
@@ -43,14 +52,6 @@ fn of_object(class: Class) -> Option<&'static str> {
         Class::Vegetation => Some("vegetation"),
         _ => None,
     }
-}
-
-/// Around a lane: along its left border by the reference line, back along the right one.
-fn around(lane: &Lane<'_>) -> Vec<DVec3> {
-    let mut ring: Vec<DVec3> = lane.left_bound_of_reference_line().positions().collect();
-    let right: Vec<DVec3> = lane.right_bound_of_reference_line().positions().collect();
-    ring.extend(right.into_iter().rev());
-    ring
 }
 
 /// The outline of an object where it stands, and those of holes in it.
@@ -84,12 +85,64 @@ pub(super) fn clockwise(mut ring: Vec<DVec3>, distinct: f64) -> Vec<DVec3> {
 }
 
 impl<'a> Model<'a> {
+    /// Lanes of a kind that Lanelet2 has as an area, unless somebody drives there; the report counts those that nowhere have a width.
+    fn strips(&self, report: &mut Report) -> Vec<Strip<'a>> {
+        let mut strips = Vec::new();
+        for (number, stretch) in self.network.kept() {
+            let lanes = stretch.lanes.iter().enumerate();
+            for (at, lane) in lanes.filter(|(_, lane)| lane.number() != 0 && !lane.is_temporary()) {
+                let Some(subtype) = of_lane(lane.kind()) else { continue };
+                if !self.network.lanelets_of(lane).is_empty() {
+                    continue;
+                }
+                let last = stretch.cuts.len().saturating_sub(1) as u32;
+                let wide: Vec<u32> = (0..last).filter(|at| is_wide(lane, stretch, *at)).collect();
+                if wide.is_empty() {
+                    report.unsaid("areas without an extent");
+                }
+                for run in wide.chunk_by(|a, b| a + 1 == *b) {
+                    let (lane, borders) = (*lane, borders(lane, at));
+                    let pieces = run[0]..run[0] + run.len() as u32;
+                    strips.push(Strip { lane, subtype, stretch: number, borders, pieces });
+                }
+            }
+        }
+        strips
+    }
+
+    /// Adds the area of a lane: between its borders, which it shares with lanelets beside it, and chords at both ends.
+    fn add_strip(&mut self, strip: &Strip<'a>) {
+        let Range { start, end } = strip.pieces.clone();
+        let [left, right] = strip.borders;
+        let along = |border| {
+            let stretch = strip.stretch;
+            strip
+                .pieces
+                .clone()
+                .map(move |piece| Edge::Border(BorderLine { stretch, border, piece }))
+        };
+        let mut outer: Vec<Edge> = along(left).collect();
+        outer.extend(self.end_of_strip(strip, end, strip.borders));
+        outer.extend(along(right).rev());
+        outer.extend(self.end_of_strip(strip, start, [right, left]));
+        let tag = ("lane_key", strip.lane.key().to_string().into());
+        self.areas.push(Area { outer, inner: Vec::new(), tags: tags(strip.subtype, tag) });
+    }
+
+    /// The chord from one border to the other at a cut; none where both have one point there.
+    fn end_of_strip(&mut self, strip: &Strip<'a>, cut: u32, borders: [u32; 2]) -> Option<Edge> {
+        let stretch = self.network.stretches.all.get(strip.stretch as usize)?;
+        let corners = borders.map(|border| stretch.corner(border, cut));
+        let [from, to] = corners.map(|corner| self.network.joints.point(corner));
+        (from != to).then(|| Edge::Line(self.add_chord(corners, vec![("type", "virtual".into())])))
+    }
+
     /// Adds an area with its outer ring and its holes; the report counts those without an extent.
     fn add_area(
         &mut self,
         rings: &[Vec<DVec3>],
         subtype: &'static str,
-        tag: super::tags::Tag<'a>,
+        tag: Tag<'a>,
         report: &mut Report,
     ) {
         let mut lines = Vec::new();
@@ -102,12 +155,17 @@ impl<'a> Model<'a> {
         let Some((outer, inner)) = lines.split_first() else {
             return report.unsaid("areas without an extent");
         };
-        let tags = vec![
-            ("type", "multipolygon".into()),
-            ("subtype", subtype.into()),
-            ("location", "urban".into()),
-            tag,
-        ];
-        self.areas.push(Area { outer: *outer, inner: inner.to_vec(), tags });
+        let (outer, inner) = (vec![Edge::Line(*outer)], inner.to_vec());
+        self.areas.push(Area { outer, inner, tags: tags(subtype, tag) });
     }
+}
+
+/// The tags of an area.
+fn tags<'a>(subtype: &'static str, tag: Tag<'a>) -> Vec<Tag<'a>> {
+    vec![
+        ("type", "multipolygon".into()),
+        ("subtype", subtype.into()),
+        ("location", "urban".into()),
+        tag,
+    ]
 }

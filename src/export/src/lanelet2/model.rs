@@ -15,20 +15,39 @@ pub(super) const DISTINCT: f64 = 1e-3;
 
 /// A line that no lanelet shares with another: across lanes, of a sign or light, of a crossing.
 pub(super) struct OwnLine<'a> {
-    /// At least two points in the map's frame `[m]`.
+    /// Points that only this line has, in the map's frame `[m]`.
     pub(super) points: Vec<DVec3>,
     pub(super) tags: Vec<Tag<'a>>,
-    /// Whether it ends at the point where it begins.
-    pub(super) is_ring: bool,
+    pub(super) ends: Ends,
+}
+
+/// Where a line of its own begins and ends.
+#[derive(Clone, Copy)]
+pub(super) enum Ends {
+    /// At its first and last point.
+    Own,
+    /// It ends at the point where it begins.
+    Ring,
+    /// At the points of two corners, which borders have, too.
+    Corners([u32; 2]),
 }
 
 /// An area.
 pub(super) struct Area<'a> {
-    /// Number of the ring around it among the model's lines.
-    pub(super) outer: usize,
+    /// The lines around it, clockwise.
+    pub(super) outer: Vec<Edge>,
     /// Those of the rings around its holes.
     pub(super) inner: Vec<usize>,
     pub(super) tags: Vec<Tag<'a>>,
+}
+
+/// A part of what is around an area.
+#[derive(Clone, Copy)]
+pub(super) enum Edge {
+    /// Number of a line among the model's.
+    Line(usize),
+    /// A border of a lane, which a lanelet beside the area has, too.
+    Border(BorderLine),
 }
 
 /// A lanelet across lanes, for those who cross.
@@ -82,7 +101,7 @@ pub(super) struct BorderLine {
     pub(super) piece: u32,
 }
 
-/// Borders that lanelets have, and their ends.
+/// Borders that lanelets and areas have, and their ends.
 pub(super) struct Lines {
     pub(super) used: Vec<BorderLine>,
     /// Corners that stand for points, ascending.
@@ -101,13 +120,19 @@ impl<'a> Model<'a> {
 
     /// Adds a line of its own and returns its number.
     pub(super) fn add_line(&mut self, points: Vec<DVec3>, tags: Vec<Tag<'a>>) -> usize {
-        self.lines.push(OwnLine { points, tags, is_ring: false });
+        self.lines.push(OwnLine { points, tags, ends: Ends::Own });
         self.lines.len() - 1
     }
 
     /// Adds a line that ends where it begins, by its corners, and returns its number.
     pub(super) fn add_ring(&mut self, points: Vec<DVec3>, tags: Vec<Tag<'a>>) -> usize {
-        self.lines.push(OwnLine { points, tags, is_ring: true });
+        self.lines.push(OwnLine { points, tags, ends: Ends::Ring });
+        self.lines.len() - 1
+    }
+
+    /// Adds a straight line between the points of two corners, and returns its number.
+    pub(super) fn add_chord(&mut self, corners: [u32; 2], tags: Vec<Tag<'a>>) -> usize {
+        self.lines.push(OwnLine { points: Vec::new(), tags, ends: Ends::Corners(corners) });
         self.lines.len() - 1
     }
 
@@ -217,7 +242,7 @@ impl<'a> Model<'a> {
     }
 
     /// The corner at which a border's line begins.
-    fn corner(&self, line: &BorderLine) -> Option<u32> {
+    pub(super) fn corner(&self, line: &BorderLine) -> Option<u32> {
         let stretch = self.network.stretches.all.get(line.stretch as usize)?;
         Some(stretch.corner(line.border, line.piece))
     }
@@ -282,21 +307,20 @@ impl Lines {
         let corners = network.stretches.corners.len();
         let (mut borders, mut is_point) = (vec![None; corners], vec![false; corners]);
         let mut used = Vec::new();
-        for lanelet in &network.lanelets {
-            let Some(stretch) = network.stretches.all.get(lanelet.stretch as usize) else {
-                continue;
-            };
-            for border in lanelet.borders {
-                let corner = stretch.corner(border, lanelet.piece);
-                if let Some(number @ None) = borders.get_mut(corner as usize) {
-                    *number = Some(used.len() as u32);
-                    let (stretch, piece) = (lanelet.stretch, lanelet.piece);
-                    used.push(BorderLine { stretch, border, piece });
-                }
-                for end in [corner, corner + 1] {
-                    if let Some(is_point) = is_point.get_mut(network.joints.point(end) as usize) {
-                        *is_point = true;
-                    }
+        let of_areas =
+            model.areas.iter().flat_map(|area| &area.outer).filter_map(|edge| match edge {
+                Edge::Border(line) => Some(*line),
+                Edge::Line(_) => None,
+            });
+        for line in network.lanelets.iter().flat_map(Lanelet::lines).chain(of_areas) {
+            let Some(corner) = model.corner(&line) else { continue };
+            if let Some(number @ None) = borders.get_mut(corner as usize) {
+                *number = Some(used.len() as u32);
+                used.push(line);
+            }
+            for end in [corner, corner + 1] {
+                if let Some(is_point) = is_point.get_mut(network.joints.point(end) as usize) {
+                    *is_point = true;
                 }
             }
         }

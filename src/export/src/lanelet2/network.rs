@@ -133,6 +133,12 @@ impl<'a> Network<'a> {
         }
     }
 
+    /// Stretches that did not become part of their neighbours, with their numbers.
+    pub(super) fn kept(&self) -> impl Iterator<Item = (u32, &Stretch<'a>)> {
+        let all = (0..).zip(&self.stretches.all).zip(&self.merged);
+        all.filter(|(_, merged)| !**merged).map(|(numbered, _)| numbered)
+    }
+
     /// The number of the lanelet of a lane at a piece of its stretch.
     pub(super) fn number(&self, lane: &Lane<'_>, piece: u32) -> Option<u32> {
         self.numbers.get(&(lane.lane_id().row(), piece)).copied()
@@ -312,8 +318,7 @@ impl<'a> Network<'a> {
 
     /// Lanes that somebody may use, and of which a piece is too narrow for a lanelet.
     fn narrow(&self) -> impl Iterator<Item = (&Stretch<'a>, &Lane<'a>)> {
-        let kept = self.stretches.all.iter().zip(&self.merged).filter(|(_, merged)| !**merged);
-        kept.flat_map(move |(stretch, _)| {
+        self.kept().flat_map(move |(_, stretch)| {
             let is_narrow = |lane: &&Lane<'a>| {
                 let span = lane.nodes().find_map(|node| self.stretches.span(&node));
                 span.is_some_and(|span| {
@@ -350,7 +355,7 @@ impl<'a> Network<'a> {
 }
 
 /// Whether a lane is anywhere along a piece as wide as a lanelet has to be.
-fn is_wide(lane: &Lane<'_>, stretch: &Stretch<'_>, piece: u32) -> bool {
+pub(super) fn is_wide(lane: &Lane<'_>, stretch: &Stretch<'_>, piece: u32) -> bool {
     let Some((from, to)) = stretch.piece(piece) else { return false };
     let steps = (0..=WIDTHS).map(|step| from + (to - from) * f64::from(step) / f64::from(WIDTHS));
     let places = steps.chain(lane.shape_breaks().filter(|s| (from..=to).contains(s)));

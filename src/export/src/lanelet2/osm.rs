@@ -1,6 +1,6 @@
 //! The file: OpenStreetMap's XML as Lanelet2 reads it.
 
-use super::model::{Lines, Member, Model};
+use super::model::{Edge, Ends, Lines, Member, Model};
 use super::report::Report;
 use super::tags::{self, Tag, number};
 use crate::earth;
@@ -144,22 +144,27 @@ impl File<'_, '_> {
 
     fn ways(&mut self, model: &Model<'_>, lines: &Lines, ids: &Ids, own: &[Own]) -> Result<()> {
         let others = model.lines.iter().zip(own.get(lines.used.len()..).unwrap_or(&[]));
+        let point = |corner| {
+            lines.number_of_point(model.network.joints.point(corner)).map(|at| ids.points + at)
+        };
         for ((number, line), own) in lines.used.iter().enumerate().zip(own) {
             let Some(stretch) = model.network.stretches.all.get(line.stretch as usize) else {
                 continue;
             };
-            let end = |cut| {
-                let corner = stretch.corner(line.border, cut);
-                lines.number_of_point(model.network.joints.point(corner)).map(|at| ids.points + at)
-            };
+            let end = |cut| point(stretch.corner(line.border, cut));
             let points =
                 end(line.piece).into_iter().chain(own.from..own.to).chain(end(line.piece + 1));
             let tags = tags::border(&model.network, stretch, line.border, line.piece);
             self.way(ids.borders + number as u64, points, &tags)?;
         }
         for (number, (line, own)) in others.enumerate() {
-            let end = (line.is_ring && own.from < own.to).then_some(own.from);
-            self.way(ids.extra_lines + number as u64, (own.from..own.to).chain(end), &line.tags)?;
+            let [before, after] = match line.ends {
+                Ends::Own => [None; 2],
+                Ends::Ring => [None, (own.from < own.to).then_some(own.from)],
+                Ends::Corners(corners) => corners.map(point),
+            };
+            let points = before.into_iter().chain(own.from..own.to).chain(after);
+            self.way(ids.extra_lines + number as u64, points, &line.tags)?;
         }
         Ok(())
     }
@@ -221,9 +226,17 @@ impl File<'_, '_> {
             self.relation(ids.rules + number as u64, &members, &rule.tags)?;
         }
         for (number, area) in model.areas.iter().enumerate() {
-            let way = |at: usize, role| ("way", ids.extra_lines + at as u64, role);
-            let inner = area.inner.iter().map(|at| way(*at, "inner"));
-            let members: Vec<_> = [way(area.outer, "outer")].into_iter().chain(inner).collect();
+            let line = |at: usize| ids.extra_lines + at as u64;
+            let outer = area.outer.iter().filter_map(|edge| match edge {
+                Edge::Line(at) => Some(line(*at)),
+                Edge::Border(border) => {
+                    let number = lines.number_of_border(model.corner(border)?)?;
+                    Some(ids.borders + number)
+                }
+            });
+            let outer = outer.map(|id| ("way", id, "outer"));
+            let inner = area.inner.iter().map(|at| ("way", line(*at), "inner"));
+            let members: Vec<_> = outer.chain(inner).collect();
             self.relation(ids.areas + number as u64, &members, &area.tags)?;
         }
         Ok(())

@@ -77,7 +77,15 @@ pub(super) struct WorkZone {
 /// Whether people work there.
 #[derive(Deserialize)]
 pub(super) struct WorkerPresence {
-    pub(super) are_workers_present: bool,
+    /// True, or anything else: what only informs never takes a zone off the road.
+    #[serde(default)]
+    are_workers_present: serde_json::Value,
+}
+
+impl WorkerPresence {
+    pub(super) fn is_certain(&self) -> bool {
+        self.are_workers_present == true
+    }
 }
 
 /// What a zone does to traffic, in the feed's word.
