@@ -2,7 +2,7 @@
 """The picture of docs/export.md that QGIS draws, from layers that mapd wrote.
 
     apt-get install python3-qgis
-    QT_QPA_PLATFORM=offscreen docs/pictures/qgis.py target/debug/mapd
+    QT_QPA_PLATFORM=offscreen docs/pictures/draw_in_qgis.py target/debug/mapd
 """
 
 import pathlib
