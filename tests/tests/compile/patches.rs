@@ -224,7 +224,40 @@ impl std::io::Read for Slowly<'_> {
 #[test]
 fn where_elements_end() {
     let road = "<road id=\"1\" name='>'>\n<!-- </road> --><userData><road id=\"2\"/><road id='1'>x</road ></userData>\
-        <lane a='/>'/><![CDATA[</road>]]><?p </road>?><roadMark></roadMark><roads/></road\n>";
+        <lane a='/>'/><![CDATA[</road>]]><?p </road>?><roadMark></roadMark><roads/>\
+        <!----><!--<road>--><![CDATA[]]><![CDATA[<road>]]><road></road><road><road/></road><!-- > -->5\" ='<x/>\
+        </road\n>";
+    spliced_whole(road);
+}
+
+/// `<` in a value is a finding, and reading goes on behind the value: what stands there neither ends an element nor hides its end.
+#[test]
+fn where_elements_end_with_markup_in_values() {
+    let tags = [
+        "<a name=\"<!-- x\"/>",
+        "<a name='<!-- x'></a>",
+        "<a value=\"<road>\"/>",
+        "<a value=\"</road>\"/>",
+        "<a value = '<b c=\"1\"/> </road> <road >' d=\"<?p\"/>",
+        "<a v=\"it's\" value=\"<![CDATA[\">='</a>",
+        "<a v='a=' w=''/><!-- <road> --><a value='<b>><road/>'/>",
+    ];
+    for tag in tags {
+        spliced_whole(&format!("<road id=\"1\">{tag}</road>"));
+    }
+    // Longer than what is read at once, so that a piece ends within a value.
+    for length in [60_000, 65_000, 200_000] {
+        let filler = "<lane id=\"1\"/>".repeat(length / 14);
+        let value = "x".repeat(length);
+        for markup in ["</road>", "<road>", "<!-- "] {
+            let tag = format!("<a value='{value}{markup}{value}'/>");
+            spliced_whole(&format!("<road id=\"1\">{filler}{tag}<a b='{value}</road>'/></road>"));
+        }
+    }
+}
+
+/// A patch for the road 1, which is this, and for the road 2 gives the text with the patch in it; all else is as it was.
+fn spliced_whole(road: &str) {
     let text = format!(
         "<?xml version=\"1.0\"?><!-- <road id=\"1\"/> -->\n<OpenDRIVE><header><road id=\"1\"/></header>{road}\
          <road id=\"2\"/>\n<road id=\"3\"><a></a></road><junction id=\"1\"/></OpenDRIVE>\n<!-- end -->"
@@ -245,8 +278,9 @@ fn where_elements_end() {
         let mut source = inputs.open_patched(input, "map.xodr", &patch);
         source.read_to_string(&mut made).expect("reads");
         let [gone, new] = [road, own].map(named);
+        assert!(text.contains(&gone), "{road}");
         let expected = text.replace(&gone, &new).replace(&named("<road id=\"2\"/>\n"), "\n");
-        assert_eq!(made, expected, "{prefix}, {step}");
+        assert!(made == expected, "{prefix}, {step}: {:.1000}\n{made:.1000}", text);
         let third = named("<road id=\"3\">");
         let [at, before] = [&made, &text].map(|text| text.find(&third).expect("the third"));
         let lines = text[..before].matches('\n').count() as u32;
@@ -255,5 +289,52 @@ fn where_elements_end() {
     };
     for (prefix, step) in [("", usize::MAX), ("", 1), ("", 7), ("o:", usize::MAX), ("o:", 3)] {
         spliced(prefix, step);
+    }
+}
+
+/// What an input has wrong as bytes is told with a patch as without, and all places before the first patched element are those of the file.
+#[test]
+fn text_before_the_declaration_and_encodings() {
+    let town = town(2, 2).replacen("\"driving\"", "\"surprise\"", 1);
+    let body = &town[town.find("<OpenDRIVE").expect("the root")..];
+    let (from, to) = element(body, "road", "2");
+    let folder = tempfile::tempdir().expect("a folder");
+    let own = || patch(folder.path(), &only(body, &[(from, to)]), &[]).expect("a patch");
+    let latin = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n";
+    let ascii = "<?xml version=\"1.0\" encoding=\"US-ASCII\"?>\n";
+    let wide = "<?xml version=\"1.0\" encoding=\"UTF-16\"?>\n";
+    let starts = [
+        ("".to_owned(), 0),
+        ("\n\n one\ntwo ".to_owned(), 1),
+        (format!("'junk\n\n\" {ascii}"), 1),
+        (format!("\u{feff}{latin}"), 1),
+        (format!("\u{feff}\u{feff}{ascii}"), 1),
+        (wide.to_owned(), 1),
+    ];
+    let named = body.replacen("id=\"1\"", "id=\"1\" name=\"\u{e9}\u{1}\"", 1);
+    for (start, notes) in starts {
+        let text = start.clone() + &named;
+        let told = |patch: Option<Patch>| {
+            let found = compiled(&text, patch).expect("compiles");
+            let all = found.diagnostics.iter();
+            let mut all: Vec<_> =
+                all.map(|d| (d.line, d.column, d.finding.message.clone())).collect();
+            all.sort();
+            all
+        };
+        let plain = told(None);
+        let own_notes = plain.iter().filter(|(_, _, told)| {
+            told.contains("passed over") || told.contains("declared encoding")
+        });
+        assert_eq!(own_notes.count(), notes, "{start:?}: {plain:?}");
+        assert!(plain.iter().any(|(_, _, told)| told.contains("surprise")), "{start:?}");
+        assert_eq!(plain, told(Some(Patch::removing(Vec::new()))), "{start:?}");
+        let patched = told(Some(own()));
+        let lines = body[..from].matches('\n').count();
+        let before = |all: &[(u32, u32, String)]| -> Vec<_> {
+            let until = (start.matches('\n').count() + lines) as u32;
+            all.iter().filter(|(line, ..)| *line <= until).cloned().collect()
+        };
+        assert_eq!(before(&plain), before(&patched), "{start:?}");
     }
 }

@@ -1,5 +1,7 @@
 //! Where markup begins and ends, as far as cutting needs it.
 
+use memchr::memmem::Finder;
+
 /// What a piece of markup is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -63,24 +65,126 @@ pub(super) fn markup(text: &[u8], from: usize) -> Option<Markup> {
     Some(Markup { start, end: start + at + 1, kind })
 }
 
-/// Looks for the first markup within an element that may end it or hide its end: tags of its own name, and all that is no tag. Tags of other names are
-/// passed over: no value has `<` in it. Its start; or how far the text was searched, where the beginning of such markup may follow.
-pub(super) fn within(text: &[u8], from: usize, own: &[u8]) -> Result<usize, usize> {
-    let tag = |open: &[u8], until: usize| {
-        let begin = [open, own].concat();
-        let ends = |at: &usize| text.get(at + begin.len()).is_some_and(ends_name);
-        let found = memchr::memmem::find_iter(text.get(from..until)?, &begin);
-        found.map(|at| from + at).find(ends)
+/// What is next within an open element, as far as it may end it or hide its end: tags of its own name, and all that is no tag. Tags of other names are passed
+/// over. What was found is kept: each byte is searched once for each of them, however many there are.
+#[derive(Debug)]
+pub(super) struct Within {
+    /// How a tag of its own name begins, and its end tag.
+    nested: (Finder<'static>, Next),
+    end: (Finder<'static>, Next),
+    other: Next,
+}
+
+/// The next place of one kind.
+#[derive(Debug, Default)]
+struct Next {
+    at: Option<usize>,
+    /// Up to here there is no other.
+    searched: usize,
+}
+
+impl Next {
+    /// The first from a place on and before another. `longest` bytes before what was searched, one may have begun.
+    fn first(
+        &mut self,
+        (from, until): (usize, usize),
+        longest: usize,
+        find: impl FnOnce(usize, usize) -> Option<usize>,
+    ) -> Option<usize> {
+        if self.at.is_none_or(|at| at < from) && self.searched < until {
+            let begin = self.searched.saturating_sub(longest).max(from);
+            self.at = find(begin, until);
+            self.searched = self.at.map_or(until, |at| at + 1);
+        }
+        self.at.filter(|at| (from..until).contains(at))
+    }
+
+    fn forget(&mut self, count: usize) {
+        self.at = self.at.and_then(|at| at.checked_sub(count));
+        self.searched = self.searched.saturating_sub(count);
+    }
+}
+
+impl Within {
+    /// Within an element of this name, with its prefix.
+    pub(super) fn new(own: &[u8]) -> Self {
+        let tag = |open: &[u8]| Finder::new(&[open, own].concat()).into_owned();
+        Self {
+            nested: (tag(b"<"), Next::default()),
+            end: (tag(b"</"), Next::default()),
+            other: Next::default(),
+        }
+    }
+
+    /// The start of the first markup from a place on, which lies in no tag; or how far the text was searched: a tag that may go on begins there, or such markup.
+    pub(super) fn next(&mut self, text: &[u8], mut from: usize) -> Result<usize, usize> {
+        loop {
+            let found = self.find(text, from);
+            let searched = text.len().saturating_sub(self.end.0.needle().len()).max(from);
+            let place = match found {
+                Some(place) => place,
+                None => match memchr::memrchr(b'<', text.get(from..searched).unwrap_or_default()) {
+                    Some(last) => from + last,
+                    None => return Err(searched),
+                },
+            };
+            match (holder(text, from, place), found) {
+                (Some(tag), _) => from = tag?,
+                (None, Some(place)) => return Ok(place),
+                (None, None) => {
+                    return Err(markup(text, place).map_or(place, |tag| tag.end.max(searched)));
+                }
+            }
+        }
+    }
+
+    fn find(&mut self, text: &[u8], from: usize) -> Option<usize> {
+        let tag = |(begin, next): &mut (Finder<'static>, Next), until: usize| {
+            let length = begin.needle().len();
+            let ends = |at: &usize| text.get(at + length).is_some_and(ends_name);
+            next.first((from, until), length, |from, until| {
+                begin.find_iter(text.get(from..until)?).map(|at| from + at).find(ends)
+            })
+        };
+        let end = tag(&mut self.end, text.len());
+        let until = end.unwrap_or(text.len());
+        let nested = tag(&mut self.nested, until);
+        let until = nested.unwrap_or(until);
+        let other = self.other.first((from, until), 1, |from, until| {
+            let rest = text.get(from..until)?;
+            let mut others = memchr::memchr2_iter(b'!', b'?', rest);
+            others.find(|at| *at > 0 && rest[at - 1] == b'<').map(|at| from + at - 1)
+        });
+        other.or(nested).or(end)
+    }
+
+    /// So many bytes of the text are gone at its beginning.
+    pub(super) fn forget(&mut self, count: usize) {
+        [&mut self.nested.1, &mut self.end.1, &mut self.other]
+            .into_iter()
+            .for_each(|next| next.forget(count));
+    }
+}
+
+/// The tag in one of whose values a place lies, where the reader goes on after `<` as well: its end; or its start, if it is not whole. Between `from`, which
+/// lies in no tag, and the place there are only tags.
+fn holder(text: &[u8], from: usize, place: usize) -> Option<Result<usize, usize>> {
+    let before = text.get(from..place)?;
+    // The quote that begins a value stands behind `=`: only where the last one does, the tags are looked at one by one.
+    let begins_value = |quote: u8| {
+        let last = memchr::memrchr(quote, before)?;
+        before[..last].trim_ascii_end().ends_with(b"=").then_some(())
     };
-    let searched = text.len().saturating_sub(own.len() + 2).max(from);
-    let end = tag(b"</", text.len());
-    let until = end.unwrap_or(text.len());
-    let nested = tag(b"<", until);
-    let until = nested.unwrap_or(until);
-    let rest = text.get(from..until).unwrap_or_default();
-    let mut others = memchr::memchr2_iter(b'!', b'?', rest);
-    let other = others.find(|at| *at > 0 && rest[at - 1] == b'<').map(|at| from + at - 1);
-    other.or(nested).or(end).ok_or(searched)
+    begins_value(b'"').or_else(|| begins_value(b'\''))?;
+    let mut at = from;
+    loop {
+        let start = at + memchr::memchr(b'<', text.get(at..place)?)?;
+        match markup(text, start) {
+            None => return Some(Err(start)),
+            Some(tag) if tag.end > place => return Some(Ok(tag.end)),
+            Some(tag) => at = tag.end,
+        }
+    }
 }
 
 /// Whether a byte is none of a name.
@@ -120,4 +224,29 @@ pub(super) fn attribute(tag: &[u8], wanted: &[u8]) -> Option<String> {
         rest = &value[end + 1..];
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Asking for the next place again and again searches each byte once.
+    #[test]
+    fn each_byte_is_searched_once() {
+        let text = "<!---->".repeat(1000) + "</road";
+        for needle in ["<!", "</road", "none"] {
+            let (mut next, mut searched, mut calls) = (Next::default(), 0, 0);
+            for from in (0..text.len()).step_by(7) {
+                next.first((from, text.len()), needle.len(), |begin, until| {
+                    let found = text[begin..until].find(needle).map(|at| begin + at);
+                    searched += found.unwrap_or(until) - begin;
+                    calls += 1;
+                    found
+                });
+            }
+            let most = text.len() + calls * needle.len();
+            assert!(searched <= most, "{needle}: {searched} bytes of {}", text.len());
+            assert_eq!(calls, if needle == "<!" { 1001 } else { 1 }, "{needle}");
+        }
+    }
 }

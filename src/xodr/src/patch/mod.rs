@@ -5,7 +5,8 @@
 //!                 └── tells Places which stretch comes from which file, so that findings name line and column there
 //! ```
 //!
-//! Invariants: the document is never whole in memory, the patch is; what is not patched is passed on byte for byte. Deliberately absent: whether a
+//! Invariants: the document is never whole in memory, the patch is; what is not patched is passed on byte for byte, behind a byte order
+//! mark, so that what is noted on its bytes is the same as without a patch. Deliberately absent: whether a
 //! road that is gone leaves links behind, which the rules find as in any other document.
 
 mod markup;
@@ -23,6 +24,9 @@ pub(crate) use splice::Splice;
 
 /// Longest patch \[bytes\].
 pub const LONGEST_PATCH: u64 = 256 << 20;
+
+/// The byte order mark of UTF-8.
+const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// What can be patched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -129,7 +133,6 @@ impl Patch {
     ///
     /// Errors: what is wrong with it, by line and column: it is no OpenDRIVE, has something else than roads and junctions, or one id twice.
     pub fn with_document(mut self, file: PathBuf, mut text: Vec<u8>) -> Result<Self, PatchError> {
-        const MARK: &[u8] = b"\xef\xbb\xbf";
         if text.starts_with(MARK) {
             text.drain(..MARK.len());
         }

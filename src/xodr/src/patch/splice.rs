@@ -1,7 +1,7 @@
 //! A document's text with a patch in it.
 
-use super::markup::{Kind, Markup, attribute, markup, name, whole_name, within};
-use super::{Patch, PatchError, PatchedId, PatchedKind};
+use super::markup::{Kind, Markup, Within, attribute, markup, name, whole_name};
+use super::{MARK, Patch, PatchError, PatchedId, PatchedKind};
 use crate::source::{Places, Source};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, BufRead as _, Read};
@@ -10,7 +10,7 @@ use std::io::{self, BufRead as _, Read};
 const WINDOW: usize = 256 << 10;
 
 /// Longest markup that is looked at as one \[bytes\]: what is longer is passed on as it is, and refused by who reads it.
-const LONGEST_MARKUP: usize = 64 << 20;
+const LONGEST_MARKUP: usize = 32 << 20;
 
 /// Elements that come after all roads, and those that come after all junctions.
 const AFTER_ROADS: [&[u8]; 4] = [b"controller", b"junction", b"junctionGroup", b"station"];
@@ -31,10 +31,12 @@ pub(crate) struct Splice<'a> {
     text: Vec<u8>,
     at: usize,
     seen: usize,
+    /// Bytes of text from which on looking again makes sense: each time twice as many, so that long markup is not searched again and again.
+    wanted: usize,
     is_read: bool,
     depth: usize,
-    /// Name of the top-level element that is open: only its own tags are looked at in it.
-    inside: Option<Vec<u8>>,
+    /// The top-level element that is open: only its own tags are looked at in it.
+    inside: Option<Within>,
     /// Depth at which what is left out ends.
     skips: Option<usize>,
     /// Whether what is passed on next does not follow what was passed on before.
@@ -68,12 +70,14 @@ impl<'a> Splice<'a> {
             text: Vec::new(),
             at: 0,
             seen: 0,
+            wanted: 0,
             is_read: false,
             depth: 0,
             inside: None,
             skips: None,
             is_cut: false,
-            out: Vec::new(),
+            // The declaration may name another encoding; the text is UTF-8.
+            out: MARK.to_vec(),
             taken: 0,
             made: 0,
             done: BTreeSet::new(),
@@ -132,7 +136,7 @@ impl<'a> Splice<'a> {
                     self.pass(found.start);
                     let tag = self.text[found.start..found.end].to_vec();
                     self.element(&tag);
-                    self.inside = Some(whole_name(&tag).to_vec());
+                    self.inside = Some(Within::new(whole_name(&tag)));
                 }
                 let deeper = usize::from(found.kind == Kind::Start);
                 self.depth += deeper;
@@ -188,29 +192,38 @@ impl<'a> Splice<'a> {
 
     /// Makes more text.
     fn make(&mut self) -> io::Result<()> {
-        let start = match &self.inside {
-            Some(own) => within(&self.text, self.seen, own),
-            None => Ok(self.seen),
-        };
-        match start {
-            Ok(start) => {
-                self.seen = start;
-                if let Some(found) = markup(&self.text, start) {
-                    self.look(found);
-                    return Ok(());
-                }
+        if self.text.len() >= self.wanted || self.is_read {
+            let start = match &mut self.inside {
+                Some(within) => within.next(&self.text, self.seen),
+                None => Ok(self.seen),
+            };
+            if let Ok(start) = start
+                && let Some(found) = markup(&self.text, start)
+            {
+                self.wanted = 0;
+                self.look(found);
+                return Ok(());
             }
-            Err(searched) => self.seen = searched,
+            self.seen = match start {
+                Ok(start) => memchr::memchr(b'<', &self.text[start..])
+                    .map_or(self.text.len(), |begin| start + begin),
+                Err(searched) => searched,
+            };
+            self.wanted = (2 * (self.text.len() - self.seen)).min(LONGEST_MARKUP + 1);
         }
         self.pass(self.seen);
         if self.is_read || self.text.len() - self.at > LONGEST_MARKUP {
             self.pass(self.text.len());
             self.seen = self.at;
+            self.wanted = 0;
         }
         if self.is_read {
             return Ok(());
         }
         self.text.drain(..self.at);
+        if let Some(within) = &mut self.inside {
+            within.forget(self.at);
+        }
         (self.at, self.seen) = (0, 0);
         let more = self.source.fill_buf()?;
         self.text.extend_from_slice(more);

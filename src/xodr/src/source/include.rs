@@ -119,7 +119,9 @@ impl Inputs {
         let (places, decoded) = (Places::default(), Arc::default());
         let limits = self.shared.limits;
         let shared = Shared { limits, places, decoded };
+        // What is wrong with its bytes is noted on the text that is made of it.
         let written = Source::new(input, shared.clone(), shared.places.add(name, None));
+        let written = written.with_all_text();
         let number = self.shared.places.add(name, None);
         let file = match patch.file() {
             Some(file) => self.shared.places.add(&file.display().to_string(), None),

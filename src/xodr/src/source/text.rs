@@ -48,6 +48,8 @@ pub struct Source<'a> {
     base: u64,
     /// Bytes of text before the first `<` that were passed over.
     skipped: u64,
+    /// Whether such text is passed over here.
+    passes_over: bool,
     ended: bool,
     /// What ends the input instead of its end. Text before it is still handed out.
     damage: Option<RefusalKind>,
@@ -83,6 +85,7 @@ impl<'a> Source<'a> {
             filled: 0,
             base: 0,
             skipped: 0,
+            passes_over: true,
             ended: false,
             damage: None,
             pending: None,
@@ -92,6 +95,11 @@ impl<'a> Source<'a> {
             taken: 0,
             piece_limit: usize::MAX,
         }
+    }
+
+    /// Hands out text before the first `<`, too: another source reads what this one hands out, and notes it.
+    pub(super) fn with_all_text(self) -> Self {
+        Self { passes_over: false, ..self }
     }
 
     /// A source that has ended.
@@ -306,7 +314,7 @@ impl<'a> Source<'a> {
         }
         let text = &self.buffer[..self.valid];
         self.shared.places.feed(self.file, text);
-        if self.base == 0 {
+        if self.base == 0 && self.passes_over {
             self.place = prolog::look(text).junk;
             self.skipped = self.place as u64;
             if self.place > 0 {

@@ -2,7 +2,8 @@
 //! printed.
 
 use flate2::{Compression, write::GzEncoder};
-use mapd_xodr::{Finding, Limits, Reader, Severity, rule_ids};
+use mapd_xodr::source::Inputs;
+use mapd_xodr::{Finding, Limits, Patch, Reader, Severity, rule_ids};
 use std::io::{self, Read, Write as _};
 use std::path::Path;
 use std::process::Command;
@@ -110,6 +111,16 @@ fn read_file(path: &Path) -> Vec<Finding> {
 /// `piece` over and over between two texts that belong around it.
 fn between(before: &str, piece: &str, length: u64, after: &str) -> Vec<Finding> {
     read(Repeat::new(before.as_bytes(), piece.as_bytes(), length, after.as_bytes()))
+}
+
+/// As [`between`], with a patch that removes the road that begins before.
+fn patched(before: &str, piece: &str, length: u64, after: &str) -> Vec<Finding> {
+    let patch = Patch::removing(vec!["road:1".parse().expect("an id")]);
+    let input = Repeat::new(before.as_bytes(), piece.as_bytes(), length, after.as_bytes());
+    let limits = Limits::default();
+    let mut inputs = Inputs::new(limits.source);
+    let source = inputs.open_patched(Box::new(input), "", &patch);
+    drain(Reader::with_source(inputs, source, limits))
 }
 
 /// Counted pieces within the root.
@@ -231,6 +242,25 @@ const BOMBS: &[Bomb] = &[
             "</planView></road></OpenDRIVE>",
         )
     }),
+    ("patched road of 2 million comments", rule_ids::XML, || {
+        patched(ROAD, "<!---->", 16 << 20, "</road>")
+    }),
+    ("patched road of a million sections of characters", rule_ids::XML, || {
+        patched(ROAD, "<![CDATA[]]>", 16 << 20, "</road>")
+    }),
+    ("patched road of 2 million roads", rule_ids::XML, || {
+        patched(ROAD, "<road/>", 16 << 20, "</road>")
+    }),
+    ("patched road of 2 million values with markup", rule_ids::XML, || {
+        patched(ROAD, "<a b='<!--'/>", 16 << 20, "</road>")
+    }),
+    ("patched road with a comment of 1 GB", rule_ids::LIMIT, || {
+        patched(&(ROAD.to_owned() + "</road><!--"), "x", GB, "--></OpenDRIVE>")
+    }),
+    ("value of 1 GB in a patched map", rule_ids::LIMIT, || {
+        patched("<OpenDRIVE><road id='2'><a b='", "x", GB, "'/></road></OpenDRIVE>")
+    }),
+    ("text of 1 GB in a patched map", rule_ids::LIMIT, || patched(ROOT, "x", GB, "</OpenDRIVE>")),
     ("include of itself", rule_ids::INCLUDE, || {
         let text = |file| format!("<OpenDRIVE><include file='{file}'/></OpenDRIVE>");
         let folder = folder(&[("a.xodr", &text("b.xodr")), ("b.xodr", &text("a.xodr"))]);
