@@ -210,6 +210,52 @@ fn a_picture_in_pieces_is_the_picture() {
     assert_eq!(browser.complaints, [""; 0]);
 }
 
+/// A browser takes the graphics card from pages in the background: until it is back, clicks say what they say, then all is drawn as before. A layer that no
+/// graphics card can hold is an error, before memory is taken for it.
+#[test]
+fn a_lost_graphics_card_is_no_loss() {
+    let snapshot = under_works(open(&mapd_tests::carried("town.xodr")));
+    let Some(mut browser) = browser(&snapshot) else { return };
+    let script = "new Promise(done => {
+        const { painter } = viewer, { gl, canvas } = painter, taken = gl.getExtension('WEBGL_lose_context');
+        const next = name => new Promise(then => canvas.addEventListener(name, () => setTimeout(then), { once: true }));
+        const look = () => {
+            painter.changes++;
+            viewer.paint();
+            const all = new Uint8Array(4 * canvas.width * canvas.height);
+            gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+            return all.reduce((sum, value) => (Math.imul(sum, 31) + value) | 0, 0);
+        };
+        const titled = link => { viewer.choose(link); return document.querySelector('#panel h1').textContent; };
+        (async () => {
+            const link = { kind: 'road', row: 0 }, said = [];
+            viewer.fit();
+            // Whether edges are smooth depends on how fast the first pictures are.
+            painter.frames.samples = 0;
+            const empty = look();
+            said.push(titled(link));
+            const before = look(), lost = next('webglcontextlost');
+            taken.loseContext();
+            await lost;
+            viewer.clear();
+            viewer.today();
+            viewer.paint();
+            said.push(titled(link));
+            const restored = next('webglcontextrestored');
+            taken.restoreContext();
+            await restored;
+            const after = look();
+            painter.most = 1;
+            painter.table(new Float32Array(9 * painter.row));
+            let refused = false;
+            try { painter.table(new Float32Array(9 * (painter.row + 1))); } catch { refused = true; }
+            done([said[0] === said[1], before === after, before !== empty, refused]);
+        })();
+    })";
+    assert_eq!(browser.evaluate(script), json!([true, true, true, true]));
+    assert_eq!(browser.complaints, [""; 0]);
+}
+
 /// A click on a lane's middle opens its sheet; two clicks in the other mode find a way; keys work; the address leads back.
 #[test]
 fn clicks_and_keys_do_what_they_say() {

@@ -1,5 +1,6 @@
 // Colours by name of paint: light theme, dark theme, opacity. Lane types differ in lightness as well as in hue, so that they can
-// be told apart without seeing colours. A test holds that what is chosen, what an overlay says and a route differ for each kind of colour blindness.
+// be told apart without seeing colours. A test holds that what is chosen, what an overlay says and the line of a route differ from each other and from lanes
+// with protanopia, deuteranopia and tritanopia, too.
 const COLORS = {
   "none": ["#dcdfd7", "#1d2225", 1],
   "other lane": ["#c6c8c4", "#33383c", 1],
@@ -33,17 +34,17 @@ const COLORS = {
   "left out outline": ["#c01515", "#ff6b6b", 1],
   "conflict": ["#d400a8", "#ff5fd7", 0.8],
   "index box": ["#0a8f52", "#2bd98a", 0.55],
-  "chosen": ["#348ff5", "#6f9bdb", 0.85],
-  "next": ["#145942", "#b2ffe6", 0.75],
-  "before": ["#fed900", "#f4d534", 0.75],
-  "other": ["#bb0504", "#f37c8e", 0.75],
-  "route": ["#b8006a", "#ff5a9d", 0.95],
-  "corridor": ["#b8006a", "#ff5a9d", 0.25],
-  "corridor edge": ["#b8006a", "#ff5a9d", 0.8],
-  "closed": ["#970e06", "#db7082", 1],
-  "opened": ["#046243", "#c2f0d6", 1],
-  "slower": ["#cd4b01", "#e8b27d", 1],
-  "told": ["#ffff00", "#f2f141", 1],
+  "chosen": ["#0d43e0", "#517efc", 0.85],
+  "next": ["#066b7a", "#00ede7", 0.85],
+  "before": ["#512705", "#562000", 0.85],
+  "other": ["#ba73fc", "#4a00cc", 0.85],
+  "route": ["#a60056", "#c7539f", 1],
+  "corridor": ["#a60056", "#c7539f", 0.25],
+  "corridor edge": ["#a60056", "#c7539f", 0.8],
+  "closed": ["#dd3536", "#eb544c", 1],
+  "opened": ["#547e3f", "#a1f484", 1],
+  "slower": ["#e36f06", "#f08827", 1],
+  "told": ["#f1d43f", "#dbd224", 1],
 };
 
 // Lanes by type, as the legend lists them.

@@ -22,7 +22,7 @@ const MOMENT = 10000;
 class Viewer {
   constructor(queries) {
     this.camera = new Camera($("map"), () => this.changed());
-    this.painter = new Painter($("map"));
+    this.painter = new Painter($("map"), () => { this.upload(); this.changed(); });
     this.labels = new Labels($("labels"));
     this.panel = new Panel($("panel"), (link, isWhole) => this.choose(link, { isWhole, isFollowed: true }), () => this.clear());
     this.shown = new Set(SHOWN.filter(([, , isShown]) => isShown).map(([name]) => name));
@@ -43,11 +43,7 @@ class Viewer {
     Object.assign(this, { queries, map });
     queries.setMoment(Date.now() / 1000);
     this.camera.farthest = 50 / Math.max(map.bounds[1][0] - map.bounds[0][0], map.bounds[1][1] - map.bounds[0][1], 1);
-    LAYERS.forEach((name, number) => {
-      const drawing = queries.draw(number);
-      if (name === "lanes") this.painter.setLowest(drawing.corners);
-      this.painter.set(name, drawing);
-    });
+    this.upload();
     const count = (number, one, many) => `${number.toLocaleString("en")} ${number === 1 ? one : many}`;
     $("about").textContent = [map.name, map.generation ? `generation ${map.generation}` : "", count(map.lanes, "lane", "lanes"), count(map.signals, "signal", "signals"), count(map.objects, "object", "objects"),
       `${(map.road_length / 1000).toFixed(1)} km of roads`].filter(Boolean).join(" · ");
@@ -55,6 +51,15 @@ class Viewer {
     $("show-left-out").textContent = `${map.left_out} left out`;
     this.clear();
     this.legend();
+  }
+
+  // Hands all layers to the painter.
+  upload() {
+    LAYERS.forEach((name, number) => {
+      const drawing = this.queries.draw(number);
+      if (name === "lanes") this.painter.setLowest(drawing.corners);
+      this.painter.set(name, drawing);
+    });
   }
 
   // Draws what is laid over the map at this moment, after it has changed or time has passed.

@@ -39,14 +39,35 @@ function coarse({ strokes, chunks, ranges }) {
 }
 
 class Painter {
-  constructor(canvas) {
+  // `restored` is called when all layers have to be set again.
+  constructor(canvas, restored) {
     const gl = canvas.getContext("webgl2", { antialias: false, alpha: false, powerPreference: "high-performance" });
     if (!gl) throw new Error("This browser has no WebGL 2, which the map is drawn with.");
-    Object.assign(this, { canvas, gl, layers: new Map(), overlay: null, lowest: 0, changes: 0 });
+    Object.assign(this, { canvas, gl, lowest: 0, changes: 0, chosen: null });
+    this.begin();
+    // A browser takes the graphics card from pages, such as those in the background of a phone, and gives it back only to those that ask for it.
+    canvas.addEventListener("webglcontextlost", event => event.preventDefault());
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.begin();
+      this.setOverlay(this.chosen);
+      restored();
+    });
+  }
+
+  // Prepares a graphics card that holds nothing yet.
+  begin() {
+    const { gl } = this;
+    Object.assign(this, { layers: new Map(), overlay: null });
+    // Texels of a texture's side. Read once: a lost context does not tell.
+    this.most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    this.row = Math.floor(Math.min(this.most, 8192) / 3);
     this.area = this.program(AREA_VERTEX, AREA_FRAGMENT);
     this.stroke = this.program(STROKE_VERTEX, STROKE_FRAGMENT);
     this.sign = this.program(SIGN_VERTEX, SIGN_FRAGMENT);
+    // What is known of this machine's speed stays.
+    const { samples } = this.frames ?? {};
     this.frames = new Frames(gl, this.program(SEEN_VERTEX, SEEN_FRAGMENT));
+    this.frames.samples = samples ?? this.frames.samples;
     const quads = new Uint16Array(PIECE / 4 * 6);
     for (let i = 0; i < PIECE / 4; i++) quads.set([0, 1, 2, 2, 1, 3].map(corner => 4 * i + corner), 6 * i);
     this.quads = gl.createVertexArray();
@@ -54,7 +75,6 @@ class Painter {
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, quads, gl.STATIC_DRAW);
     gl.bindVertexArray(null);
-    this.row = Math.floor(Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), 8192) / 3);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.enable(gl.DEPTH_TEST);
@@ -107,8 +127,9 @@ class Painter {
   // Pieces of lines as a texture, three texels each, for the corners to look up: instances would take less, but where there is no graphics card,
   // each of them is a drawing of its own and takes as long as a hundred corners.
   table(strokes) {
-    const gl = this.gl, count = strokes.length / 9, rows = Math.ceil(count / this.row), data = new Uint32Array(12 * this.row * rows);
-    if (rows > gl.getParameter(gl.MAX_TEXTURE_SIZE)) throw new Error("This map has more lines than this browser's graphics can hold.");
+    const gl = this.gl, count = strokes.length / 9, rows = Math.ceil(count / this.row);
+    if (rows > this.most) throw new Error("This map has more lines than this browser's graphics can hold.");
+    const data = new Uint32Array(12 * this.row * rows);
     for (let from = 0, to = 0; from < strokes.length; to += 3) for (let i = 0; i < 9; i++) data[to++] = strokes[from++];
     const made = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, made);
@@ -131,9 +152,11 @@ class Painter {
     if (name === "reference lines") this.set("far lines", coarse(drawing));
   }
 
+  // Lays the drawing of what is chosen over all layers, or none. It is kept, to be laid over them again.
   setOverlay(drawing) {
     this.changes++;
     this.unload(this.overlay);
+    this.chosen = drawing && Object.fromEntries(Object.entries(drawing).map(([name, part]) => [name, part.slice()]));
     this.overlay = drawing && this.load(drawing);
   }
 
@@ -222,6 +245,7 @@ class Painter {
   // One frame. `shown` are the names of layers; `heights` colours lanes by height; with `all` it is complete, else it may be what was seen
   // before, moved. Returns whether more frames are needed.
   paint(camera, shown, heights, all) {
+    if (this.gl.isContextLost()) return false;
     const ratio = Math.min(devicePixelRatio || 1, 2);
     const [width, height] = [Math.round(camera.width * ratio), Math.round(camera.height * ratio)];
     if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, { width, height });

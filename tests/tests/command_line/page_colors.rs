@@ -8,7 +8,8 @@ const COLORS: &str =
     include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../src/web/page/colors.js"));
 
 /// Lanes over which the others are drawn.
-const LANES: [&str; 10] = [
+const LANES: [&str; 11] = [
+    "none",
     "driving",
     "bus",
     "biking",
@@ -21,9 +22,10 @@ const LANES: [&str; 10] = [
     "other lane",
 ];
 
-/// Colours that are seen side by side, and beside the lane's own.
-const GROUPS: [&[&str]; 3] =
-    [&["chosen", "next", "before", "other"], &["closed", "opened", "slower", "told"], &["route"]];
+/// What is selected: drawn over lanes and over what an overlay says.
+const SELECTED: [&str; 4] = ["chosen", "next", "before", "other"];
+/// What an overlay says.
+const TODAY: [&str; 4] = ["closed", "opened", "slower", "told"];
 
 /// How the cones' answers change, in linear RGB: all there, and without the long, the middle and the short ones (Machado, Oliveira and Fernandes 2009,
 /// severity 1).
@@ -141,28 +143,56 @@ fn differences_are_those_of_the_published_pairs() {
     }
 }
 
+/// Names with the colours that they have over all that they are drawn over, lanes themselves among them.
+fn appearances(theme: usize) -> Vec<(&'static str, Triple)> {
+    let plain = |name: &'static str| (name, color(name, theme).0);
+    let lanes = LANES.map(plain);
+    let over_all = |name: &'static str, below: &[(&str, Triple)]| {
+        let top = color(name, theme);
+        below.iter().map(|(_, below)| (name, over(top, *below))).collect::<Vec<_>>()
+    };
+    let of_overlay: Vec<_> = TODAY.iter().flat_map(|name| over_all(name, &lanes)).collect();
+    let below: Vec<_> = lanes.iter().chain(&of_overlay).copied().collect();
+    let selected = SELECTED.iter().flat_map(|name| over_all(name, &below));
+    let mut all: Vec<_> = selected.chain(over_all("route", &below)).collect();
+    all.extend(below);
+    // An opaque colour is the same over everything.
+    all.sort_by(|a, b| a.0.cmp(b.0).then(a.1.partial_cmp(&b.1).expect("numbers")));
+    all.dedup();
+    all
+}
+
 #[test]
 fn what_must_be_told_apart_is_without_seeing_all_colours() {
     let mut bad = Vec::new();
-    for (theme, lane) in [0, 1].into_iter().flat_map(|theme| LANES.map(|lane| (theme, lane))) {
-        for ((sight, matrix), group) in SIGHTS.iter().flat_map(|one| GROUPS.map(|two| (one, two))) {
-            let (below, _) = color(lane, theme);
-            let drawn = group.iter().map(|name| (*name, over(color(name, theme), below)));
-            let seen: Vec<_> = std::iter::once((lane, below))
-                .chain(drawn)
-                .map(|(name, rgb)| (name, lab(rgb, matrix)))
-                .collect();
-            for (i, (one, first)) in seen.iter().enumerate() {
-                for (other, second) in &seen[i + 1..] {
-                    let found = difference(*first, *second);
-                    if found < TOLD_APART {
-                        bad.push(format!(
-                            "{sight}, theme {theme}, over {lane}: {one} and {other}: {found:.1}"
-                        ));
-                    }
+    for (theme, (sight, matrix)) in
+        [0, 1].into_iter().flat_map(|theme| SIGHTS.map(|one| (theme, one)))
+    {
+        let seen: Vec<_> =
+            appearances(theme).into_iter().map(|(name, rgb)| (name, lab(rgb, &matrix))).collect();
+        for (i, (one, first)) in seen.iter().enumerate() {
+            // Lanes differ from each other in lightness, and have names in the legend: they are not held to this.
+            let others = seen[i + 1..].iter().filter(|(other, _)| {
+                other != one && !(LANES.contains(one) && LANES.contains(other))
+            });
+            for (other, second) in others {
+                let found = difference(*first, *second);
+                if found < TOLD_APART {
+                    bad.push(format!("{sight}, theme {theme}: {one} and {other}: {found:.1}"));
                 }
             }
         }
     }
     assert!(bad.is_empty(), "{}", bad.join("\n"));
+}
+
+#[test]
+fn a_drawing_has_the_colours_of_the_light_page() {
+    let sheet =
+        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../src/export/src/svg/style.rs"));
+    for name in TODAY {
+        let rgb = color(name, 0).0.map(|value| format!("{:02x}", (value * 255.0).round() as u8));
+        let rule = format!(".{name}{{fill:#{}}}", rgb.concat());
+        assert!(sheet.contains(&rule), "{rule}");
+    }
 }

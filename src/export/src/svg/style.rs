@@ -2,7 +2,7 @@
 
 use mapd_client::vocabulary::LaneType;
 
-/// Style sheet. Widths are metres on the ground.
+/// Style sheet. Widths are metres on the ground. What an overlay says has the colours of the page's light theme.
 pub(super) const SHEET: &str = "\
 .ground{fill:#eef0e8}\
 .lane{stroke:none;fill:#c9c9c4}\
@@ -15,7 +15,7 @@ pub(super) const SHEET: &str = "\
 .object{fill:#6b4fa0;fill-opacity:.45;stroke:#4b2f80;stroke-width:.08;stroke-linejoin:round}.line{fill:none}\
 .way{fill:#fff;fill-opacity:.8}\
 .signal{fill:none;stroke:#c0272d;stroke-width:.35;stroke-linecap:round}\
-.overlay{stroke:none;fill-opacity:.55}.closed{fill:#c0272d}.opened{fill:#3f9a4a}.slower{fill:#ee8a2a}.told{fill:#f2c230}\
+.overlay{stroke:none;fill-opacity:.85}.closed{fill:#dd3536}.opened{fill:#547e3f}.slower{fill:#e36f06}.told{fill:#f1d43f}\
 .route{fill:none;stroke:#d6246e;stroke-width:.5;stroke-opacity:.85;stroke-linejoin:round}\
 .node{fill:none;stroke:#2b6cd9;stroke-width:.25;stroke-opacity:.6}\
 .leaf{fill:#2bd98a;fill-opacity:.08;stroke:#0a8f52;stroke-width:.04}";
