@@ -28,7 +28,7 @@ struct Bound {
 
 const BOUNDS: [Bound; 4] = [
     Bound { kind: "nearest", runs: [500, 4_500], most: [1.02, 1.02, 1.02, 1.02] },
-    Bound { kind: "speed", runs: [500, 8_500], most: [1.05, 1.20, 1.20, 1.20] },
+    Bound { kind: "speed", runs: [500, 8_500], most: [1.02, 1.20, 1.20, 1.20] },
     Bound { kind: "allows", runs: [500, 8_500], most: [1.12, 1.60, 1.60, 1.64] },
     Bound { kind: "route", runs: [2, 66], most: [1.02, 1.34, 2.85, 5.90] },
 ];

@@ -2,6 +2,7 @@
 
 use mapd::control::{MapState, ReloadReport, Request, Response, ask};
 use mapd_client::Domain;
+use mapd_transport::AttachLock;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
@@ -167,6 +168,35 @@ impl Daemon {
             .status()
             .expect("kill runs");
         assert!(status.success());
+    }
+
+    /// Stops it (SIGSTOP) at a moment when it holds none of the locks that clients take on their way in: what they meet then is a daemon that is stopped, always.
+    pub fn pause(&self, place: &TestDomain) {
+        let lock = AttachLock::open(&place.domain()).expect("the daemon's lock");
+        let until = Instant::now() + PATIENCE;
+        loop {
+            self.signal("STOP");
+            while !self.is_stopped() {
+                assert!(Instant::now() < until, "the daemon does not stop");
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            if lock.exclusive(Instant::now()).expect("the lock can be asked").is_some() {
+                return;
+            }
+            assert!(Instant::now() < until, "the daemon keeps the lock");
+            self.signal("CONT");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+
+    /// Whether each of its threads is stopped.
+    fn is_stopped(&self) -> bool {
+        let threads = std::fs::read_dir(format!("/proc/{}/task", self.id())).expect("threads");
+        // A state follows the name, which ends with the last bracket. A thread that has ended meanwhile runs no more.
+        threads.flatten().all(|thread| match std::fs::read_to_string(thread.path().join("stat")) {
+            Ok(stat) => stat.rsplit(')').next().is_some_and(|rest| rest.starts_with(" T")),
+            Err(_) => true,
+        })
     }
 
     /// Reads its messages until it says that it serves.

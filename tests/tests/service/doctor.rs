@@ -140,7 +140,7 @@ fn a_daemon_that_is_stopped() {
 fn an_unfinished_file_beside_a_daemon_that_cannot_remove_it() {
     let place = place();
     let daemon = place.serve(&[&town()]);
-    daemon.signal("STOP");
+    daemon.pause(&place);
     let file = format!("/dev/shm/{}half_made.dynamic", place.domain().prefix());
     std::fs::write(&file, "").expect("written");
     let output = doctor(&place);

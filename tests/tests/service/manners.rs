@@ -92,7 +92,7 @@ fn connecting_keeps_its_deadline() {
         match state {
             Daemon::Absent => {}
             Daemon::Killed => daemon.take().expect("there").kill(),
-            Daemon::Stopped => daemon.as_ref().expect("there").signal("STOP"),
+            Daemon::Stopped => daemon.as_ref().expect("there").pause(&place),
         }
         let wait = DEADLINE.as_millis().to_string();
         let connect = |how| {
@@ -136,7 +136,7 @@ fn waiting_keeps_its_deadline_and_what_is_held() {
         lines.read_line(&mut line).expect("a line");
         let held = line.trim().strip_prefix("attached ").expect("a generation").to_owned();
         match state {
-            Daemon::Stopped => daemon.signal("STOP"),
+            Daemon::Stopped => daemon.pause(&place),
             _ => daemon.signal("KILL"),
         }
         child.stdin.take().expect("stdin").write_all(b"\n").expect("told");

@@ -261,7 +261,7 @@ fn dawdlers_keep_others_out_for_a_moment_only() {
 fn nobody_waits_for_ever_for_a_daemon_that_is_stopped() {
     let place = TestDomain::new(MAPD);
     let daemon = place.serve(&[&town()]);
-    daemon.signal("STOP");
+    daemon.pause(&place);
     let socket = control_socket(&place);
     // Who has gone again keeps its place in the line. The line's length is the kernel's; none that is known has more places.
     let most = 10_000;

@@ -147,13 +147,18 @@ impl<'a> View<'a> {
         s: f64,
         vehicle: VehicleClass,
     ) -> Result<SpeedToday<'a>, QueryError> {
-        let own = self.map.lane(lane)?;
+        // Looked at where the answer lies: `?` would copy the lane.
+        let found = self.map.lane(lane);
+        let own = match &found {
+            Ok(own) => own,
+            Err(error) => return Err(*error),
+        };
         if !s.is_finite() {
             return Err(QueryError::NotFinite);
         }
         let map = own.speed_rule_at(s);
-        if self.touches(&own) {
-            return Ok(self.speed_today(&own, s, vehicle, map));
+        if self.touches(own) {
+            return Ok(self.speed_today(own, s, vehicle, map));
         }
         Ok(SpeedToday { max: map.max, map, restriction: None })
     }
