@@ -138,7 +138,7 @@ impl Reader<'_> {
         let core = &zone.core_details;
         let said = core.description.as_deref().or(core.name.as_deref()).unwrap_or_default();
         let mut text = zone.vehicle_impact.0.clone();
-        if zone.worker_presence.as_ref().is_some_and(|workers| workers.is_certain()) {
+        if zone.has_workers() {
             text += ", workers present";
         }
         if !said.is_empty() {

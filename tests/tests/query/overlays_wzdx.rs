@@ -126,12 +126,10 @@ fn impacts_and_events() {
         let found = vec!["features[0].properties.vehicle_impact"];
         assert_eq!(findings(&feed), if unnamed { found } else { vec![] }, "{impact}");
     }
-    for (event, place) in
-        [("detour", "core_details.event_type"), ("restriction", "core_details.event_type")]
-    {
+    for event in ["detour", "restriction"] {
         let feed = read_as("feed_info", "LineString", event, &json!({}));
         assert_eq!(said(&feed), []);
-        assert_eq!(findings(&feed), [format!("features[0].properties.{place}")], "{event}");
+        assert_eq!(findings(&feed), ["features[0].properties.core_details.event_type"], "{event}");
     }
     for (status, holds) in [
         ("planned", true),
@@ -219,6 +217,8 @@ fn what_else_a_feed_may_have() {
     assert_eq!(findings(&feed), [""; 0]);
     for presence in [
         json!(null),
+        json!("yes"),
+        json!(true),
         json!({}),
         json!({"are_workers_present": null}),
         json!({"are_workers_present": "yes"}),
@@ -229,8 +229,11 @@ fn what_else_a_feed_may_have() {
     let feed = read(&json!({"reduced_speed_limit_kph": 36}));
     assert_eq!(feed.document.entries[1].value, Some(10.0));
     // What cannot be said is told.
-    let feed = read(&json!({"reduced_speed_limit_kph": 0}));
-    assert_eq!(findings(&feed), ["features[0].properties.reduced_speed_limit_kph"]);
+    for limit in [0, -5] {
+        let feed = read(&json!({"reduced_speed_limit_kph": limit}));
+        assert_eq!(said(&feed), [("zone", Kind::Warning, "unknown: Paving")], "{limit}");
+        assert_eq!(findings(&feed), ["features[0].properties.reduced_speed_limit_kph"], "{limit}");
+    }
     let feed = read_as("feed_info", "Point", "work-zone", &json!({}));
     assert_eq!((said(&feed), findings(&feed)), (vec![], vec!["features[0].geometry.type"]));
 }

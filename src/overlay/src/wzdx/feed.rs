@@ -70,21 +70,15 @@ pub(super) struct WorkZone {
     pub(super) restrictions: Vec<Restriction>,
     #[serde(default, deserialize_with = "or_default")]
     pub(super) lanes: Vec<Lane>,
+    /// An object, or anything else: what only informs never takes a zone off the road.
     #[serde(default)]
-    pub(super) worker_presence: Option<WorkerPresence>,
+    worker_presence: serde_json::Value,
 }
 
-/// Whether people work there.
-#[derive(Deserialize)]
-pub(super) struct WorkerPresence {
-    /// True, or anything else: what only informs never takes a zone off the road.
-    #[serde(default)]
-    are_workers_present: serde_json::Value,
-}
-
-impl WorkerPresence {
-    pub(super) fn is_certain(&self) -> bool {
-        self.are_workers_present == true
+impl WorkZone {
+    /// Whether people work there, by the feed's word.
+    pub(super) fn has_workers(&self) -> bool {
+        self.worker_presence.get("are_workers_present") == Some(&true.into())
     }
 }
 
