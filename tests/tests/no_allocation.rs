@@ -1,20 +1,24 @@
 //! Queries do not allocate: an allocator counts.
 #![allow(unsafe_code)]
 
-use mapd_archive::encode;
-use mapd_client::batch::{BatchScratch, NearestLanes, Places, PoseMatches};
+use mapd_archive::{encode, open_overlay};
+use mapd_client::batch::{
+    BatchScratch, NearestLanes, Places, PoseMatches, Poses, TrackPositions, Tracks,
+};
+use mapd_client::geodesy::GeodeticPoint;
 use mapd_client::localisation::{
-    GroundScratch, MarkFilter, MatchOptions, Tracker, TrackerOptions, VehiclePose,
+    GroundScratch, MarkFilter, MatchOptions, Sensor, Tracker, TrackerOptions, VehiclePose,
 };
 use mapd_client::route::{
     AlternativeOptions, LaneSequences, PositionOnLane, Reach, RouteEnd, RouteRequest, RouteScratch,
     Routes, ShortestTime, WithTurns, next_lane_change,
 };
 use mapd_client::signals::SignalsAhead;
+use mapd_client::view::View;
 use mapd_client::vocabulary::ClassSet;
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{
-    LaneKey, LaneTypes, NearestOptions, Point, Region, Snapshot, Track,
+    Lane, LaneKey, LaneTypes, NearestOptions, Point, Region, Snapshot, Track,
     glam::{DMat3, DVec2},
 };
 use mapd_compiler::{CompileOptions, compile};
@@ -23,6 +27,7 @@ use mapd_query::path::{
 };
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
+use std::time::UNIX_EPOCH;
 
 thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
@@ -369,4 +374,209 @@ fn trackers_and_batches_do_not_allocate_after_the_start() {
     let after = COUNT.with(Cell::get);
     assert!(seen > fixes[0].len() && first == again, "there is nothing to count");
     assert_eq!(after - before, 0, "tracker or batches allocated");
+}
+
+/// What a view adds to a map's answers: nothing on the heap. On the town and on the crossing with signals, under entries of every kind on each third lane.
+#[test]
+fn views_do_not_allocate_after_the_first_call() {
+    for snapshot in [
+        mapd_tests::maps::open(&mapd_tests::carried("town.xodr")),
+        mapd_tests::object_maps::open(&mapd_tests::crossroads::furnished()),
+    ] {
+        let map = snapshot.map();
+        let (bytes, resolved) = mapd_tests::overlays::over(map, &todays_entries(&snapshot), true);
+        assert_eq!(resolved.unplaced, []);
+        let overlay = open_overlay(&bytes).expect("opens");
+        let view = View::new(map, Some(&overlay), UNIX_EPOCH).expect("its own");
+        let mut round = questions_of(view);
+        let first = round();
+        let before = COUNT.with(Cell::get);
+        let again = round();
+        let after = COUNT.with(Cell::get);
+        assert!(first.iter().all(|seen| *seen > 0) && first == again, "{first:?}, {again:?}");
+        assert_eq!(after - before, 0, "a view allocated");
+    }
+}
+
+/// A document with entries of every kind: on a part of a lane, on whole lanes, some for the time of the epoch's week only.
+fn todays_entries(snapshot: &Snapshot) -> String {
+    let map = snapshot.map();
+    let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(VehicleClass::PassengerCar));
+    let lanes = map.lanes().filter(open).step_by(3);
+    let mut entries: Vec<String> = lanes
+        .enumerate()
+        .map(|(i, lane)| {
+            let (from, to) = (lane.section().s_start(), lane.section().s_end());
+            let (key, third) = (lane.key(), (to - from) / 3.0);
+            let (from, to) = (from + third, to - third);
+            let what = match i % 6 {
+                0 => format!(r#""kind":"closed","lanes":[{{"key":"{key}","s":[{from},{to}]}}]"#),
+                1 => format!(r#""kind":"speed","value":3,"lanes":[{{"key":"{key}"}}]"#),
+                2 => format!(
+                    r#""kind":"wet","weekly":[{{"days":["thu"],"from":"00:00","until":"01:00"}}],"lanes":[{{"key":"{key}"}}]"#
+                ),
+                3 => format!(r#""kind":"only","vehicles":["passengerCar"],"lanes":[{{"key":"{key}"}}]"#),
+                4 => format!(r#""kind":"no-overtaking","lanes":[{{"key":"{key}"}}]"#),
+                _ => format!(r#""kind":"warning","text":"cones","lanes":[{{"key":"{key}"}}]"#),
+            };
+            format!(r#"{{"id":"{i}",{what}}}"#)
+        })
+        .collect();
+    for signal in map.signals() {
+        let id = signal.id();
+        entries.push(format!(r#"{{"id":"off {id}","kind":"signal-off","signals":["{id}"]}}"#));
+    }
+    format!(r#"{{"entries":[{}]}}"#, entries.join(","))
+}
+
+/// All questions of a view, with buffers that it fills on the first round: how much each group of them found.
+fn questions_of(view: View<'_>) -> impl FnMut() -> [usize; 5] {
+    let (map, car) = (view.map(), VehicleClass::PassengerCar);
+    let cost = ShortestTime::default();
+    let places: Vec<PositionOnLane> = map
+        .lanes()
+        .filter(|lane| lane.nodes().any(|node| node.allows(car)))
+        .map(|lane| {
+            let s = 0.5 * (lane.section().s_start() + lane.section().s_end());
+            PositionOnLane { lane: lane.lane_id(), s }
+        })
+        .collect();
+    let (mut scratch, mut steps, mut reached, mut network, mut routes) =
+        (RouteScratch::default(), Vec::new(), Vec::new(), Reach::default(), Routes::default());
+    let (mut met, mut on_path, mut room, mut buffer) =
+        (Vec::new(), Vec::new(), Corridor::default(), PathBuffer::default());
+    let (mut ahead, mut matches) = (SignalsAhead::default(), Vec::new());
+    move || {
+        let [mut at_place, mut ways, mut along, mut signals, mut poses] = [0; 5];
+        for (from, to) in places.iter().zip(places.iter().rev()) {
+            let PositionOnLane { lane, s } = *from;
+            at_place += view.restrictions_at(lane, s).expect("an answer").count();
+            let permission = view.allows(lane, s, car).expect("an answer");
+            let speed = view.speed_rule_at(lane, s, car).expect("an answer");
+            at_place += usize::from(permission.restriction.or(speed.restriction).is_some());
+            let (starts, goals) = ([RouteEnd::from(*from)], [RouteEnd::from(*to)]);
+            let request = RouteRequest {
+                starts: &starts,
+                goals: &goals,
+                vehicle: car,
+                cost: &cost,
+                avoid: &[],
+            };
+            let options = AlternativeOptions { share: 0.3, ..AlternativeOptions::default() };
+            view.alternatives(&request, &options, &mut scratch, &mut routes).expect("routes");
+            view.reachable(*from, 100.0, car, &cost, &mut scratch, &mut reached)
+                .expect("an answer");
+            view.reach(&request, 30.0, &mut scratch, &mut network).expect("an answer");
+            view.reach_to(&request, 30.0, &mut scratch, &mut network).expect("an answer");
+            ways += routes.iter().len() + reached.len() + network.reached().len();
+            view.find_route(&request, &mut scratch, &mut steps).expect("an answer");
+            let found = view.route(*from, *to, car, &cost, &mut scratch, &mut steps);
+            view.signals_ahead(*from, 200.0, car, &mut ahead).expect("an answer");
+            let point = map.lane(lane).expect("a lane").pose_at(s, 0.0).expect("a pose").position;
+            let pose = VehiclePose { position: Point::from(point.truncate()), heading: 0.3 };
+            view.match_pose(&pose, &DMat3::IDENTITY, &MatchOptions::default(), &mut matches)
+                .expect("an answer");
+            poses += matches.len();
+            if found.expect("an answer").is_none() {
+                continue;
+            }
+            view.restrictions_along(&steps, car, &mut met).expect("an answer");
+            along += met.len();
+            let Ok(path) = map.path(&steps, &PathOptions::default(), &mut buffer) else { continue };
+            view.restrictions_on_path(&path, car, &mut on_path).expect("an answer");
+            let speed = view.speed_on_path(&path, 0.5 * path.length(), car).expect("an answer");
+            view.corridor(&path, 0.0, 150.0, 1.0, car, &mut room).expect("a corridor");
+            along += on_path.len() + usize::from(speed.restriction.is_some()) + room.len();
+        }
+        for signal in map.signals() {
+            let off = view.signal_out_of_service(signal.signal_id()).expect("an answer");
+            signals += usize::from(off.is_some());
+        }
+        signals += view.entries().filter(|entry| view.holds(entry)).count();
+        signals += view.restrictions().count();
+        [at_place, ways, along, signals, poses]
+    }
+}
+
+/// Lists of places, marks and landmarks: what goes into a caller's buffer grows once.
+#[test]
+fn lists_of_places_do_not_allocate_after_the_first_call() {
+    let snapshot = mapd_tests::maps::open(&mapd_tests::carried("town.xodr"));
+    let painted_map = mapd_tests::maps::open(&mapd_tests::carried("marks.xodr"));
+    let furnished = mapd_tests::object_maps::open(&mapd_tests::crossroads::furnished());
+    let (map, painted_map) = (snapshot.map(), painted_map.map());
+    let mut random = mapd_tests::maps::Random(5);
+    let near_paint: Vec<DVec2> = (0..100).map(|_| random.point(painted_map)).collect();
+    let projector = mapd_client::geodesy::Projector::new(
+        "+proj=tmerc +lat_0=48 +lon_0=11 +ellps=bessel +towgs84=598.1,73.7,418.2,0.202,0.045,-2.455,6.7",
+        mapd_client::geodesy::Offset::default(),
+    )
+    .expect("a projector");
+    let flat: Vec<DVec2> =
+        (0..100).map(|i| DVec2::new(f64::from(i), f64::from(i * 3 % 100))).collect();
+    let points: Vec<Point> = flat.iter().map(|point| Point::from(*point)).collect();
+    let raised: Vec<_> = flat.iter().map(|point| point.extend(1.0)).collect();
+    let (x, y): (Vec<f64>, Vec<f64>) = flat.iter().map(|point| (point.x, point.y)).unzip();
+    let road = map.road_by_id("1").expect("a road");
+    let (mut ground, mut grounds) = (GroundScratch::default(), Vec::new());
+    let (mut marks, mut painted, mut landmarks) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut work, mut borders, mut lines) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut poses, mut feet) = (Poses::default(), TrackPositions::default());
+    let (mut earth, mut places, mut back) = (Vec::new(), Vec::new(), Vec::new());
+    let wheels = [[2.7, 0.8], [2.7, -0.8], [0.0, 0.8], [0.0, -0.8]].map(DVec2::from);
+    let sensor = Sensor { position: DVec2::ZERO, heading: 0.5, range: 200.0, field_of_view: 6.2 };
+    let mut round = || {
+        map.ground_below(&points, &mut ground, &mut grounds).expect("heights");
+        let mut stands = 0;
+        for position in &points {
+            let pose = VehiclePose { position: *position, heading: 0.3 };
+            let stance = map.stance(&pose, &wheels, &mut ground).expect("an answer");
+            stands += usize::from(stance.is_some());
+        }
+        let filter = MarkFilter::default();
+        painted_map.nearest_marks(&near_paint, &filter, &mut marks).expect("marks");
+        let region = Region::around(near_paint[0], 100.0);
+        painted_map.mark_points(region, 0.5, &filter, &mut painted).expect("points");
+        painted_map
+            .road_mark_segments(region, LaneTypes::ALL, &mut work, &mut borders, &mut lines)
+            .expect("lines");
+        let seen = furnished.map().landmarks_in_view(&sensor, ClassSet::ALL, &mut landmarks);
+        seen.expect("landmarks");
+        let places_on = Places { x: &x, y: &y, ..Places::default() };
+        road.to_track_batch(places_on, &mut feet).expect("feet");
+        let tracks = Tracks { s: &feet.s, t: &feet.t, h: None };
+        road.to_inertial_batch(tracks, &mut poses).expect("places");
+        projector.to_geodetic_batch(&raised, &mut earth);
+        places.clear();
+        places.extend(earth.iter().flatten());
+        projector.from_geodetic_batch(&places, &mut back);
+        let mut lanes = 0;
+        for place in &places {
+            let at = GeodeticPoint {
+                latitude: place.latitude,
+                longitude: place.longitude,
+                altitude: Some(place.altitude),
+            };
+            let found = map.nearest_lane_geodetic(&projector, at, &NearestOptions::default());
+            lanes += usize::from(found.expect("an answer").is_some());
+        }
+        [
+            lanes,
+            grounds.iter().flatten().count(),
+            stands,
+            marks.iter().flatten().count(),
+            painted.len(),
+            lines.len(),
+            landmarks.len(),
+            feet.s.len(),
+            poses.x.len(),
+            back.iter().flatten().count(),
+        ]
+    };
+    let first = round();
+    let before = COUNT.with(Cell::get);
+    let again = round();
+    let after = COUNT.with(Cell::get);
+    assert!(first.iter().all(|seen| *seen > 0) && first == again, "{first:?}, {again:?}");
+    assert_eq!(after - before, 0, "lists of places allocated");
 }
