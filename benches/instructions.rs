@@ -94,8 +94,10 @@ fn instructions(program: &str, args: &[&str]) -> Option<u64> {
     line.rsplit(' ').next()?.parse().ok().filter(|_| output.status.success())
 }
 
-/// Instructions of one of what a program does `runs` times; none where they cannot be counted.
-fn of_one(program: &str, args: &[&str], runs: [usize; 2]) -> Option<f64> {
+/// Instructions of one of what a program does `runs` times.
+///
+/// Panics: the program fails.
+fn counted(program: &str, args: &[&str], runs: [usize; 2]) -> f64 {
     let count = |runs: usize| instructions(program, &[args, &[&runs.to_string()]].concat());
     // Both at once: what is counted does not depend on what else runs.
     let (short, long) = std::thread::scope(|scope| {
@@ -103,15 +105,10 @@ fn of_one(program: &str, args: &[&str], runs: [usize; 2]) -> Option<f64> {
         let long = count(runs[1]);
         (short.join().ok().flatten(), long)
     });
-    let (short, long) = (short?, long?);
-    Some(long.saturating_sub(short) as f64 / (runs[1] - runs[0]) as f64)
-}
-
-/// As [`of_one`], once valgrind has counted something.
-///
-/// Panics: the program fails.
-fn counted(program: &str, args: &[&str], runs: [usize; 2]) -> f64 {
-    of_one(program, args, runs).unwrap_or_else(|| panic!("{program} {args:?} fails under valgrind"))
+    let (Some(short), Some(long)) = (short, long) else {
+        panic!("{program} {args:?} fails under valgrind");
+    };
+    long.saturating_sub(short) as f64 / (runs[1] - runs[0]) as f64
 }
 
 /// Tells a figure; whether it is beyond its bound.
@@ -130,6 +127,10 @@ fn write(text: impl std::io::Read + Send, path: &Path) {
 }
 
 fn main() -> ExitCode {
+    if !Command::new("valgrind").arg("--version").output().is_ok_and(|out| out.status.success()) {
+        print("skipped: valgrind is missing or does not run");
+        return ExitCode::SUCCESS;
+    }
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("town.mapd");
     let file = std::fs::File::open(mapd_tests::carried("town.xodr")).expect("the town opens");
@@ -144,11 +145,7 @@ fn main() -> ExitCode {
     };
     let mut exceeded = false;
     for (kind, bound) in BOUNDS {
-        let Some(each) = of_one(&probe, &[&path, kind], RUNS) else {
-            print("skipped: valgrind is missing or does not run");
-            return ExitCode::SUCCESS;
-        };
-        exceeded |= exceeds(kind, each, bound as f64, 0);
+        exceeded |= exceeds(kind, counted(&probe, &[&path, kind], RUNS), bound as f64, 0);
     }
     let particle =
         |kind: &str| counted(&probe, &[&path, kind], CLOUDS) / mapd_benches::PARTICLES as f64;

@@ -27,30 +27,38 @@ from qgis.PyQt.QtCore import QSize
 HERE = pathlib.Path(__file__).parent
 TOWN = HERE.parent.parent / "examples/maps/town.xodr"
 COLORS = {"driving": "#c9ced3", "sidewalk": "#e3d5b8", "shoulder": "#dfe3e6", "": "#d9ead3"}
+
+
+def by_type():
+    def category(kind, color):
+        return QgsRendererCategory(kind, QgsFillSymbol.createSimple({"color": color, "outline_style": "no"}), kind)
+
+    return QgsCategorizedSymbolRenderer("type", [category(kind, color) for kind, color in COLORS.items()])
+
+
+def simple(symbol, **properties):
+    return lambda: QgsSingleSymbolRenderer(symbol.createSimple(properties))
+
+
 # From the lowest to the highest.
 STYLES = {
-    "lanes": None,
-    "borders": lambda: QgsLineSymbol.createSimple({"color": "#5d6168", "width": "0.2"}),
-    "edges": lambda: QgsLineSymbol.createSimple({"color": "#1f77b4", "width": "0.3"}),
-    "crosswalks": lambda: QgsFillSymbol.createSimple({"color": "#ffffff", "outline_color": "#5d6168"}),
-    "stop_lines": lambda: QgsLineSymbol.createSimple({"color": "#b22222", "width": "0.6"}),
-    "signals": lambda: QgsMarkerSymbol.createSimple({"color": "#7a5cc0", "size": "2"}),
+    "lanes": by_type,
+    "borders": simple(QgsLineSymbol, color="#5d6168", width="0.2"),
+    "edges": simple(QgsLineSymbol, color="#1f77b4", width="0.3"),
+    "crosswalks": simple(QgsFillSymbol, color="#ffffff", outline_color="#5d6168"),
+    "stop_lines": simple(QgsLineSymbol, color="#b22222", width="0.6"),
+    "signals": simple(QgsMarkerSymbol, color="#7a5cc0", size="2"),
 }
 
 
 def layer(mapd, folder, name):
     file = folder / f"{name}.fgb"
     command = [mapd, "export", TOWN, "--format", "flatgeobuf", "--layers", name, "-o", file, "--quiet"]
-    subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+    subprocess.run(command, check=True)
     drawn = QgsVectorLayer(str(file), name, "ogr")
     if not drawn.isValid():
         sys.exit(f"QGIS refuses {file}")
-    if name == "lanes":
-        symbol = lambda color: QgsFillSymbol.createSimple({"color": color, "outline_style": "no"})
-        categories = [QgsRendererCategory(kind, symbol(color), kind) for kind, color in COLORS.items()]
-        drawn.setRenderer(QgsCategorizedSymbolRenderer("type", categories))
-    else:
-        drawn.setRenderer(QgsSingleSymbolRenderer(STYLES[name]()))
+    drawn.setRenderer(STYLES[name]())
     print(name, drawn.featureCount(), drawn.crs().description() or "no coordinate system")
     return drawn
 

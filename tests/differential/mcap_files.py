@@ -31,6 +31,8 @@ TOPICS = {
 }
 # Seconds and nanoseconds since 1970.
 TIME, NANOSECONDS = "1700000000.25", 1_700_000_000_250_000_000
+# The first that the seconds of Foxglove's messages do not have.
+TOO_LATE = str(1 << 32)
 # Areas may differ by this part, and by so much besides [m²]: lanes that cross themselves.
 AREA, CROSSED = 1e-5, 0.05
 # Where GDAL has degrees, areas are those on a sphere [m], which differ by this part.
@@ -76,6 +78,9 @@ def check(mapd, foxglove, source, folder):
     for file in files:
         run(foxglove, source, "-o", file, "--time", TIME)
     assert files[0].read_bytes() == files[1].read_bytes(), "other bytes"
+    refused = subprocess.run([foxglove, source, "-o", folder / "late.mcap", "--time", TOO_LATE], capture_output=True, text=True)
+    assert refused.returncode != 0 and "2106" in refused.stderr, refused.stderr
+    assert not (folder / "late.mcap").exists()
     messages = {}
     with open(files[0], "rb") as stream:
         for schema, channel, message, decoded in make_reader(stream, decoder_factories=[DecoderFactory()]).iter_decoded_messages():

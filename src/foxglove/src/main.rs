@@ -8,13 +8,14 @@ mod signals;
 
 use anyhow::{Context, Result, bail};
 use clap::Parser;
+use foxglove::messages::Timestamp;
 use mapd::draft;
 use mapd::source::{self, Attaching, Compiling, Opened, WAIT};
 use mapd_client::{Attach, Domain, Snapshot};
 use mapd_compiler::{CompileOptions, ReadOptions};
 use std::io::Write;
 use std::path::PathBuf;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 
 /// Writes a map as an MCAP file for Foxglove
 #[derive(Parser)]
@@ -32,10 +33,7 @@ struct Arguments {
 
 fn main() -> Result<()> {
     let Arguments { source, output, time } = Arguments::parse();
-    let time = match time {
-        Some(time) => given(time)?,
-        None => SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default(),
-    };
+    let time = time.map_or_else(|| Ok(Timestamp::now()), given)?;
     let map = open(&source)?;
     let recording = recording::of(map.map(), time)?;
     if !recording.has_place {
@@ -51,10 +49,11 @@ fn main() -> Result<()> {
 /// A time that is given \[s\].
 ///
 /// Errors: before 1970, or later than the 32 bits of Foxglove's messages reach, in 2106.
-fn given(time: f64) -> Result<Duration> {
+fn given(time: f64) -> Result<Timestamp> {
     let time = Duration::try_from_secs_f64(time).context("--time")?;
-    u32::try_from(time.as_secs()).context("--time: Foxglove's messages end in 2106")?;
-    Ok(time)
+    let seconds = time.as_secs().try_into();
+    let seconds = seconds.context("--time: Foxglove's messages end in 2106")?;
+    Ok(Timestamp::new(seconds, time.subsec_nanos()))
 }
 
 /// Opens a SOURCE as `mapd export` does without options.

@@ -2,7 +2,7 @@
 
 use crate::scene::{Frame, MIDDLE};
 use crate::{lanes, marks, signals};
-use anyhow::{Context as _, Result};
+use anyhow::Result;
 use foxglove::messages::{
     FrameTransform, LocationFix, Quaternion, SceneUpdate, Timestamp, Vector3,
 };
@@ -10,7 +10,6 @@ use foxglove::{Channel, Context, Encode, PartialMetadata};
 use mapd_client::Map;
 use std::io::Cursor;
 use std::sync::Arc;
-use std::time::Duration;
 
 /// A map as MCAP.
 pub(crate) struct Recording {
@@ -23,29 +22,25 @@ pub(crate) struct Recording {
 /// Writes channels.
 struct Writer {
     context: Arc<Context>,
-    /// Since 1970.
-    time: Duration,
+    time: Timestamp,
 }
 
 impl Writer {
     fn log<T: Encode>(&self, topic: &str, message: &T) {
         let channel: Channel<T> = self.context.channel_builder(topic).build();
-        let log_time = Some(u64::try_from(self.time.as_nanos()).unwrap_or(u64::MAX));
+        let log_time = Some(self.time.total_nanos());
         channel.log_with_meta(message, PartialMetadata { log_time });
     }
 }
 
 /// The whole map, at one time.
 ///
-/// Errors: the file cannot be encoded; the time is later than 2106.
-pub(crate) fn of(map: Map<'_>, time: Duration) -> Result<Recording> {
+/// Errors: the file cannot be encoded.
+pub(crate) fn of(map: Map<'_>, time: Timestamp) -> Result<Recording> {
     let context = Context::new();
     let file = context.mcap_writer().create(Cursor::new(Vec::new()))?;
     let writer = Writer { context, time };
-    let stamp = Some(Timestamp::new(
-        u32::try_from(time.as_secs()).context("the time is later than 2106")?,
-        time.subsec_nanos(),
-    ));
+    let stamp = Some(time);
     let frame = Frame::of(map);
     let middle = frame.middle();
     writer.log(

@@ -59,8 +59,8 @@ class Painter {
     const { gl } = this;
     Object.assign(this, { layers: new Map(), overlay: null });
     // Texels of a texture's side. Read once: a lost context does not tell.
-    this.most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
-    this.row = Math.floor(Math.min(this.most, 8192) / 3);
+    this.most = Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), 8192);
+    this.row = Math.floor(this.most / 3);
     this.area = this.program(AREA_VERTEX, AREA_FRAGMENT);
     this.stroke = this.program(STROKE_VERTEX, STROKE_FRAGMENT);
     this.sign = this.program(SIGN_VERTEX, SIGN_FRAGMENT);
@@ -125,7 +125,7 @@ class Painter {
   }
 
   // Pieces of lines as a texture, three texels each, for the corners to look up: instances would take less, but where there is no graphics card,
-  // each of them is a drawing of its own and takes as long as a hundred corners.
+  // each of them is a drawing of its own.
   table(strokes) {
     const gl = this.gl, count = strokes.length / 9, rows = Math.ceil(count / this.row);
     if (rows > this.most) throw new Error("This map has more lines than this browser's graphics can hold.");

@@ -21,8 +21,7 @@ use std::path::PathBuf;
 struct Arguments {
     /// The page
     page: PathBuf,
-    /// Its size on the screen `[px]`
-    #[arg(long, default_value = "1000x700", value_parser = size)]
+    #[arg(long, help = "Its size on the screen [px]", default_value = "1000x700", value_parser = size)]
     size: (u32, u32),
     /// JavaScript to run first, whose value is printed; `viewer` is the page
     #[arg(long)]

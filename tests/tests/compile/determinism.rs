@@ -85,5 +85,5 @@ fn what_the_destination_held_does_not_show() {
 fn the_carried_town_is_what_the_generator_writes() {
     let carried =
         std::fs::read_to_string(mapd_tests::carried("town.xodr")).expect("the map can be read");
-    assert!(carried == mapd_tests::town::town(3, 3), "run make_town again");
+    assert!(carried == mapd_tests::town::town(3, 3), "run make_map again");
 }

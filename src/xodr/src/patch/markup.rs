@@ -116,7 +116,9 @@ impl Within {
         }
     }
 
-    /// The start of the first markup from a place on, which lies in no tag; or how far the text was searched: a tag that may go on begins there, or such markup.
+    /// The start of the first markup from a place on, which lies in no tag.
+    ///
+    /// Errors: there is none yet; the place up to which the text need not be searched again.
     pub(super) fn next(&mut self, text: &[u8], mut from: usize) -> Result<usize, usize> {
         loop {
             let found = self.find(text, from);
@@ -172,10 +174,12 @@ fn holder(text: &[u8], from: usize, place: usize) -> Option<Result<usize, usize>
     let before = text.get(from..place)?;
     // The quote that begins a value stands behind `=`: only where the last one does, the tags are looked at one by one.
     let begins_value = |quote: u8| {
-        let last = memchr::memrchr(quote, before)?;
-        before[..last].trim_ascii_end().ends_with(b"=").then_some(())
+        memchr::memrchr(quote, before)
+            .is_some_and(|last| before[..last].trim_ascii_end().ends_with(b"="))
     };
-    begins_value(b'"').or_else(|| begins_value(b'\''))?;
+    if !begins_value(b'"') && !begins_value(b'\'') {
+        return None;
+    }
     let mut at = from;
     loop {
         let start = at + memchr::memchr(b'<', text.get(at..place)?)?;

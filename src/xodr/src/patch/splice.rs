@@ -9,7 +9,8 @@ use std::io::{self, BufRead as _, Read};
 /// Bytes that are made at once.
 const WINDOW: usize = 256 << 10;
 
-/// Longest markup that is looked at as one \[bytes\]: what is longer is passed on as it is, and refused by who reads it.
+/// Longest markup that is looked at as one \[bytes\]: what is longer is passed on as it is. The reader refuses it, whose own limits are 1 MiB unless the caller raises
+/// them. Text twice as long may be held here, which stays below the bound on memory.
 const LONGEST_MARKUP: usize = 32 << 20;
 
 /// Elements that come after all roads, and those that come after all junctions.

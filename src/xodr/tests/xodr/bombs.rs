@@ -242,16 +242,16 @@ const BOMBS: &[Bomb] = &[
             "</planView></road></OpenDRIVE>",
         )
     }),
-    ("patched road of 2 million comments", rule_ids::XML, || {
+    ("patched road of 16 MiB of comments", rule_ids::XML, || {
         patched(ROAD, "<!---->", 16 << 20, "</road>")
     }),
-    ("patched road of a million sections of characters", rule_ids::XML, || {
+    ("patched road of 16 MiB of sections of characters", rule_ids::XML, || {
         patched(ROAD, "<![CDATA[]]>", 16 << 20, "</road>")
     }),
-    ("patched road of 2 million roads", rule_ids::XML, || {
+    ("patched road of 16 MiB of roads", rule_ids::XML, || {
         patched(ROAD, "<road/>", 16 << 20, "</road>")
     }),
-    ("patched road of 2 million values with markup", rule_ids::XML, || {
+    ("patched road of 16 MiB of values with markup", rule_ids::XML, || {
         patched(ROAD, "<a b='<!--'/>", 16 << 20, "</road>")
     }),
     ("patched road with a comment of 1 GB", rule_ids::LIMIT, || {
