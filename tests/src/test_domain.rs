@@ -12,6 +12,23 @@ use std::time::{Duration, Instant};
 /// Longest wait for anything that should take milliseconds; generous because machines may be busy.
 pub const PATIENCE: Duration = Duration::from_secs(20);
 
+/// Time between two looks of [`until`].
+const LOOK: Duration = Duration::from_millis(5);
+
+/// What `look` finds, as soon as it finds it.
+///
+/// Panics if it does not within [`PATIENCE`].
+pub fn until<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
+    let until = Instant::now() + PATIENCE;
+    loop {
+        if let Some(found) = look() {
+            return found;
+        }
+        assert!(Instant::now() < until, "{what} does not come");
+        std::thread::sleep(LOOK);
+    }
+}
+
 /// A domain of its own for each test; everything of it is removed at the end.
 pub struct TestDomain {
     prefix: String,

@@ -12,6 +12,12 @@ const STEP: u64 = 512;
 /// How many of them are tried; the last has room for everything.
 const STEPS: u64 = 64;
 
+/// What a client waits under each limit \[s\]: many of them wait in vain.
+const SHORT: &str = "0.05";
+
+/// The wait after which its outcome counts whatever it is \[s\].
+const LONG: &str = "20";
+
 fn town() -> String {
     mapd_tests::carried("town.xodr").display().to_string()
 }
@@ -55,8 +61,13 @@ fn too_few_descriptors_are_named() {
         let (mut answered, mut refused) = (0, 0);
         for most in 5..48 {
             let limit = format!("-n {most}");
-            let args = ["inspect", "shm:town", "--wait", "0.05", "--attach", attach];
-            let (code, said) = run(&place, &limit, &args);
+            let args = ["inspect", "shm:town", "--wait", SHORT, "--attach", attach];
+            let (mut code, mut said) = run(&place, &limit, &args);
+            if code != Some(0) && !is_named(&said) {
+                // A busy machine may have been too slow for so short a wait: that says nothing of the limit.
+                let patient = args.map(|arg| if arg == SHORT { LONG } else { arg });
+                (code, said) = run(&place, &limit, &patient);
+            }
             match code {
                 Some(0) => answered += 1,
                 _ => {

@@ -1,7 +1,7 @@
 //! What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
 
 use mapd_tests::manager::{Manager, WATCHDOG};
-use mapd_tests::test_domain::{PATIENCE, TestDomain};
+use mapd_tests::test_domain::{PATIENCE, TestDomain, until};
 use mapd_transport::{AttachLock, Subscription};
 use serde_json::Value;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
@@ -66,17 +66,6 @@ impl Drop for Logged {
     fn drop(&mut self) {
         let _ = self.child.kill();
         let _ = self.child.wait();
-    }
-}
-
-fn until<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
-    let until = Instant::now() + PATIENCE;
-    loop {
-        if let Some(found) = look() {
-            return found;
-        }
-        assert!(Instant::now() < until, "{what} does not come");
-        std::thread::sleep(Duration::from_millis(20));
     }
 }
 

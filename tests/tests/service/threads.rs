@@ -4,10 +4,11 @@ use mapd::serve::{PublishMeta, Server, StopSignal};
 use mapd_archive::{AlignedBytes, encode};
 use mapd_client::{Client, LaneId, Nearest, NearestOptions, Snapshot, glam::DVec2};
 use mapd_compiler::{CompileOptions, compile};
-use mapd_tests::test_domain::{PATIENCE, TestDomain};
+use mapd_tests::test_domain::{PATIENCE, TestDomain, until};
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::{Duration, Instant};
 
 /// Generations published one after the other.
 const GENERATIONS: u64 = 100;
@@ -58,6 +59,7 @@ fn generations_change_under_readers() {
         assert!(snapshot.map().lane(foreign[1 - which]).is_err(), "a foreign id is taken");
         asked.fetch_add(1, Ordering::Relaxed);
     };
+    let are_asked = |questions| asked.load(Ordering::Relaxed) >= questions;
     let (tell, first) = std::sync::mpsc::channel();
     std::thread::scope(|scope| {
         scope.spawn(|| {
@@ -71,12 +73,16 @@ fn generations_change_under_readers() {
                 };
                 let number = server.publish("map", bytes.len(), fill).expect("publishes");
                 let _ = tell.send(number);
+                if generation == 0 {
+                    // Else all of them may be there before anybody asks.
+                    until("the first questions", || are_asked(READERS as u64).then_some(()));
+                }
             }
             server.run(&stop).expect("serves");
         });
         let client = Client::connect_in(&domain, "map", PATIENCE).expect("attaches");
         let client = Arc::new(client);
-        let (check, ended, stop) = (&check, &ended, &stop);
+        let (check, are_asked, ended, stop) = (&check, &are_asked, &ended, &stop);
         for _ in 0..READERS {
             let client = Arc::clone(&client);
             scope.spawn(move || {
@@ -102,7 +108,7 @@ fn generations_change_under_readers() {
             }
             kept.iter().for_each(|snapshot| snapshot.verify().expect("still whole"));
         });
-        // Ends everything when the last generation has come, or something has failed.
+        // Ends everything when the last generation has come and enough was asked, or something has failed.
         scope.spawn(move || {
             let mut newest = client.snapshot().generation();
             let last = first.recv().expect("a number") + GENERATIONS - 1;
@@ -116,10 +122,14 @@ fn generations_change_under_readers() {
                     Err(_) => break,
                 }
             }
+            let until = Instant::now() + PATIENCE;
+            while newest == last && !are_asked(GENERATIONS) && Instant::now() < until {
+                std::thread::sleep(Duration::from_millis(1));
+            }
             ended.store(true, Ordering::Release);
             stop.request();
             assert_eq!(newest, last);
         });
     });
-    assert!(asked.load(Ordering::Relaxed) >= GENERATIONS, "too few questions were asked");
+    assert!(are_asked(GENERATIONS), "too few questions were asked");
 }
