@@ -68,15 +68,21 @@ enum Command {
     /// Compile OpenDRIVE files into archives
     #[command(name = COMPILE, after_help = compile::HELP)]
     Compile(Box<CompileCommand>),
-    /// List everything that is wrong with an OpenDRIVE file, without building the map
+    /// List everything that is wrong with an OpenDRIVE file
+    ///
+    /// The map is not built.
     #[command(after_help = check::HELP)]
     Check(Box<CheckCommand>),
     /// Show the contents of a map
     Inspect(Box<InspectCommand>),
-    /// Answer questions: CSV with a header row from stdin to stdout
+    /// Answer questions: CSV from stdin to stdout
+    ///
+    /// The first row of the CSV names its columns.
     #[command(after_help = query::HELP)]
     Query(Box<QueryCommand>),
-    /// Find the lanes of a recorded trace: CSV with a header row from stdin to stdout
+    /// Find the lanes of a recorded trace: CSV from stdin to stdout
+    ///
+    /// The first row of the CSV names its columns.
     #[command(after_help = trace::HELP)]
     Match(Box<TraceCommand>),
     /// Draw or convert a map
@@ -86,28 +92,40 @@ enum Command {
     View(Box<ViewCommand>),
     /// List the served maps
     Status(StatusCommand),
-    /// Measure attaching and querying on this machine, compared with open and mmap of the same bytes
+    /// Measure attaching and querying on this machine
+    ///
+    /// Attaching is compared with open and mmap of the same bytes.
     Bench(BenchCommand),
-    /// Examine this machine and the served maps: memory, limits, stale files, versions, permissions, attaching
+    /// Examine this machine and the served maps
+    ///
+    /// Looks at memory, limits, stale files, versions, permissions and attaching.
     #[command(after_help = "Exit codes: 0 no problems, 1 problems.")]
     Doctor(DoctorCommand),
-    /// Sign archives with Ed25519, in minisign's format; --trust then refuses all others
+    /// Sign archives with Ed25519, in minisign's format
+    ///
+    /// With --trust, daemon and clients refuse all others.
     Sign(SignCommand),
     #[command(name = bench::SUBCOMMAND, hide = true)]
     BenchClient(BenchClientCommand),
-    /// Compile a map's file again and serve it; if that fails, the served map stays
+    /// Compile a map's file again and serve it
+    ///
+    /// If that fails, the served map stays.
     Reload(StagedChange),
     /// Serve the previous generation again, under a new number
     Rollback(StagedChange),
     /// Serve the staged generation
     Activate(ChangeArgs),
-    /// Say what is so on the road today: closed, slower, opened, slippery, out of service (docs/overlay.md)
+    /// Say what is so on the road today: closed, slower, slippery
+    ///
+    /// Also what is opened or out of service, and warnings (docs/overlay.md).
     Overlay(OverlayCommand),
-    /// Write the script with which a shell completes commands and options
+    /// Write the script by which a shell completes commands
     Completions(CompletionsCommand),
     /// Write the man pages
     Man(ManCommand),
-    /// Explain a command, or a topic: sources, units, exit-codes, environment, files
+    /// Explain a command, or a topic such as units
+    ///
+    /// Topics: sources, units, exit-codes, environment, files.
     #[command(name = help::HELP)]
     Help(HelpCommand),
 }
@@ -115,13 +133,17 @@ enum Command {
 /// Options of the daemon that `mapd -h` tells, so that it fits a screen; `mapd --help` tells all.
 const TOLD_FIRST: [&str; 7] = ["load", "name", "config", "watch", "cache", "metrics", "prefix"];
 
+/// Columns of help where the terminal has more: longer lines are hard to read.
+const MOST_COLUMNS: usize = 100;
+
 /// The command line itself: commands, options and their help, to be looked at or completed.
 pub fn command() -> clap::Command {
     let told = |arg: clap::Arg| {
         let told = TOLD_FIRST.contains(&arg.get_id().as_str());
         arg.hide_short_help(!told)
     };
-    help::completed(numbers_of_options(Cli::command().mut_args(told)))
+    let command = Cli::command().max_term_width(MOST_COLUMNS);
+    help::completed(numbers_of_options(command.mut_args(told)))
 }
 
 /// Lets an option's own check refuse a negative number, which would be taken for an unknown option otherwise.

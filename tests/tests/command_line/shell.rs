@@ -20,13 +20,18 @@ fn commands() -> Vec<String> {
     command.get_subcommands().filter(shown).map(|one| one.get_name().to_owned()).collect()
 }
 
-/// Lines of a terminal that people have.
+/// Lines and columns of a terminal that people have.
 const SCREEN: usize = 50;
+const COLUMNS: usize = 80;
 
 #[test]
 fn short_help_fits_a_screen_and_long_help_has_all_under_headings() {
-    let short = text(&["-h"]);
+    let mut short = std::process::Command::new(MAPD);
+    short.arg("-h").env("COLUMNS", COLUMNS.to_string());
+    let short = short.output().expect("runs").stdout;
+    let short = String::from_utf8_lossy(&short);
     assert!(short.lines().count() <= SCREEN, "{short}");
+    assert!(short.lines().all(|line| line.chars().count() <= COLUMNS), "{short}");
     let long = text(&["--help"]);
     for heading in ["Serving:", "Compiling:", "Findings:", "Trust:", "Operating:", "Shared memory:"]
     {

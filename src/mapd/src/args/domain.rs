@@ -8,7 +8,9 @@ use mapd_client::Domain;
 /// Where daemons and clients meet.
 #[derive(Args)]
 pub(crate) struct DomainArgs {
-    /// Prefix of all names in shared memory; daemon and clients need the same one (letters and digits, one _ at the end) [default: mapd_]
+    /// Prefix of all names in shared memory [default: mapd_]
+    ///
+    /// Daemon and clients need the same one: letters and digits, one _ at the end.
     #[arg(long, env = "MAPD_PREFIX", value_name = "PREFIX")]
     prefix: Option<String>,
 

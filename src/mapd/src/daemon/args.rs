@@ -26,15 +26,19 @@ const LONGEST_OVERLAY: u64 = 5 << 20;
 /// What a daemon is to do.
 #[derive(Args)]
 pub(crate) struct DaemonArgs {
-    /// Serve a map (.xodr, .xodrz or .mapd) or every map of a folder; may be repeated
+    /// Serve a map, or every map of a folder; may be repeated
+    ///
+    /// Maps are .xodr, .xodrz and .mapd files.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     pub(crate) load: Vec<PathBuf>,
 
-    /// Name to serve the map under, instead of the file's stem
+    /// Name of the served map [default: the file's stem]
     #[arg(long, requires = "load")]
     name: Option<String>,
 
-    /// Settings and maps to serve (docs/service.md); command-line arguments override it
+    /// Settings and maps to serve (docs/service.md)
+    ///
+    /// Command-line arguments override it.
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) config: Option<PathBuf>,
 

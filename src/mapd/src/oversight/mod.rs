@@ -31,7 +31,7 @@ pub(crate) struct OversightArgs {
     #[command(flatten)]
     pub(crate) log: log::LogArgs,
 
-    /// Serve metrics for Prometheus at this address, such as 127.0.0.1:9464
+    /// Serve metrics for Prometheus, at 127.0.0.1:9464 for example
     #[arg(long, value_name = "ADDRESS:PORT")]
     metrics: Option<SocketAddr>,
 
