@@ -12,13 +12,13 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
 /// Longest wait for a daemon to serve or to end, which takes some milliseconds; machines may be busy.
-pub const DAEMON_PATIENCE: Duration = Duration::from_secs(10);
+pub const DAEMON_PATIENCE: Duration = Duration::from_secs(60);
 
-/// Deadline of a fresh client, which needs some milliseconds.
-pub const ATTACH_DEADLINE: Duration = Duration::from_secs(2);
+/// Deadline of a fresh client, and of whoever asks a daemon to do something, which needs some milliseconds.
+pub const ATTACH_DEADLINE: Duration = Duration::from_secs(20);
 
 /// What a process may need besides waiting: to be started on a busy machine, to open the map, to answer.
-const PROCESS_SLACK: Duration = Duration::from_secs(5);
+const PROCESS_SLACK: Duration = Duration::from_secs(20);
 
 /// Pause between two looks at a child.
 const PAUSE: Duration = Duration::from_micros(500);
@@ -91,7 +91,8 @@ impl Stage {
     /// What a daemon is asked to do with the map, such as `reload`.
     pub fn ask_command(&self, what: &[&str]) -> Command {
         let mut command = self.command(what);
-        command.arg(self.name()).args(["--wait", "5"]);
+        let wait = ATTACH_DEADLINE.as_secs_f64().to_string();
+        command.arg(self.name()).args(["--wait", &wait]);
         command
     }
 

@@ -3,9 +3,9 @@
 
 use mapd::control::{ReloadResult, Request, Response, ask};
 use mapd_client::{Attach, AttachError, Client, ClientError};
-use mapd_tests::manager::{Manager, WATCHDOG};
+use mapd_tests::manager::Manager;
 use mapd_tests::small::{Filler, in_small_shared_memory};
-use mapd_tests::test_domain::{PATIENCE, TestDomain};
+use mapd_tests::test_domain::{PATIENCE, TestDomain, until};
 use mapd_tests::two_maps::TwoMaps;
 use std::fs;
 use std::io::Write;
@@ -41,20 +41,28 @@ fn full_shared_memory_is_no_reason_to_be_killed() {
         manager.listen_to(&mut command).args(["--scrub", "1", "--load", &town()]);
         let _daemon = place.spawn(command);
         manager.expect("READY=1");
+        // Right after a scrub, which comes once in a second: one that was under way would fail.
+        until("a scrub", || (place.state("town").scrubs.ok > 0).then_some(()));
         let filler = Filler::fill().expect("filled");
-        let until = Instant::now() + 4 * WATCHDOG;
+        let skipped = || {
+            let state = place.state("town");
+            (state.self_queries.skipped, state.scrubs.skipped)
+        };
         manager.drain();
-        let mut pings = 0;
-        while Instant::now() < until {
-            pings += usize::from(manager.hear(WATCHDOG).as_deref() == Some("WATCHDOG=1\n"));
+        // A ping says that the queries before it met a lack of room at worst. One that was late, on a busy machine, is a failure of its own,
+        // after which others come.
+        for _ in 0..3 {
+            let before = skipped();
+            until("a query and a scrub that are skipped", || {
+                let now = skipped();
+                (now.0 > before.0 && now.1 > before.1).then_some(())
+            });
+            manager.drain();
+            manager.expect("WATCHDOG=1");
         }
         drop(filler);
-        assert!(pings >= 3, "{pings} pings while shared memory was full");
-        let state = place.state("town");
-        assert!(state.self_queries.skipped > 0, "{:?}", state.self_queries);
-        // One of each may have been under way when it was filled.
-        let failures = [state.self_queries.failures, state.scrubs.failures];
-        assert!(failures.iter().all(|count| *count <= 1), "{:?}", state.self_queries);
+        let scrubs = place.state("town").scrubs;
+        assert!(scrubs.failures <= 1, "{scrubs:?}");
     });
 }
 
@@ -70,8 +78,11 @@ fn places_are_kept_for_the_daemon() {
     let connect = |wait| Client::connect_as(Attach::Subscriber, &place.domain(), "town", wait);
     let clients: Vec<_> =
         (0..MAX_SUBSCRIBERS).map(|_| connect(PATIENCE).expect("attaches")).collect();
-    let refused = connect(Duration::from_millis(50)).err();
-    let refused = refused.expect("one more than there are places");
+    // A daemon that cleans up on a busy machine may keep the lock for so long.
+    let refused = until("an answer", || match connect(Duration::from_millis(50)).err() {
+        Some(ClientError::Attach(AttachError::Busy { .. })) => None,
+        outcome => Some(outcome.expect("one more than there are places")),
+    });
     let is_full = matches!(&refused, ClientError::Attach(AttachError::TooManySubscribers { .. }));
     assert!(is_full && refused.to_string().contains("64"), "{refused}");
     let asked = place.state("town").self_queries.ok;
@@ -79,7 +90,8 @@ fn places_are_kept_for_the_daemon() {
     manager.expect("WATCHDOG=1");
     manager.expect("WATCHDOG=1");
     let queries = place.state("town").self_queries;
-    assert!(queries.ok > asked && queries.failures + queries.skipped == 0, "{queries:?}");
+    // Without a place it would be skipped; failures are answers that were late, on a busy machine.
+    assert!(queries.ok > asked && queries.skipped == 0, "{queries:?}");
     drop(clients);
     connect(PATIENCE).expect("there is room again");
 }

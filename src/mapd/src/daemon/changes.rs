@@ -159,7 +159,7 @@ impl Maps {
         let generation = self.is_served(map, prepared)?;
         let proof = self.server.meanwhile(|| prove(&self.domain, &self.board, map));
         match proof {
-            Ok(Proof::Damaged(reason)) => {
+            Ok(Proof::Damaged { reason, .. }) => {
                 tracing::error!(map = %map, error = %reason, "map {map}: the served archive fails verification, and is published anew: {reason}");
                 None
             }

@@ -23,7 +23,11 @@ pub(crate) enum Proof {
     /// This generation is what was published.
     Sound(u64),
     /// Readers see something else, or nothing.
-    Damaged(String),
+    Damaged {
+        /// The generation that was served, as the board said before anybody looked: another may be by now.
+        generation: Option<u64>,
+        reason: String,
+    },
     /// Nobody has looked, for there was no room, or not time enough.
     NotExamined(String),
 }
@@ -31,19 +35,22 @@ pub(crate) enum Proof {
 /// Proves what a map's readers see, through a mapping like theirs: what is said about the generation, its header, its hash
 /// and every row. Who serves has to greet meanwhile.
 pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
-    let mut found = None;
+    let (mut found, mut named) = (None, None);
     for attempt in 0..ATTEMPTS {
         if attempt > 0 {
             std::thread::sleep(PAUSE);
         }
         let before = served(board, map);
+        named = before.as_ref().map(|served| served.generation);
         let attached =
             reserving(|| Subscription::connect_in_reserve(domain, map, Instant::now() + WAIT));
         let pinned = match attached {
             Ok(subscription) => subscription.current(),
             Err(error) if says_nothing(&error) => return Proof::NotExamined(error.to_string()),
             // Nothing stands in the way but what is in memory.
-            Err(error) => return Proof::Damaged(error.to_string()),
+            Err(error) => {
+                return Proof::Damaged { generation: named, reason: error.to_string() };
+            }
         };
         let generation = pinned.info().generation;
         let known = [before, served(board, map)].into_iter().flatten();
@@ -51,14 +58,15 @@ pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
             Some(published) => {
                 return match compare(&pinned, &published) {
                     Ok(()) => Proof::Sound(generation),
-                    Err(reason) => Proof::Damaged(reason),
+                    Err(reason) => Proof::Damaged { generation: Some(generation), reason },
                 };
             }
             None => found = Some(generation),
         }
     }
     let found = found.unwrap_or_default();
-    Proof::Damaged(format!("readers see generation {found}, which was never published"))
+    let reason = format!("readers see generation {found}, which was never published");
+    Proof::Damaged { generation: named, reason }
 }
 
 fn served(board: &Board, map: &str) -> Option<GenerationStatus> {

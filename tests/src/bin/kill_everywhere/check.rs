@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// Longest time until what a killed client held has been given back: some rounds of the daemon.
-const SETTLE: Duration = Duration::from_secs(5);
+const SETTLE: Duration = Duration::from_secs(20);
 
 /// A point in the middle of a lane of `one_road`.
 const POINT: DVec2 = DVec2::new(10.0, -1.5);

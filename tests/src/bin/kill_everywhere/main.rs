@@ -27,6 +27,9 @@ const RANDOM_KILLS: u32 = 300;
 /// The same in the short form.
 const SHORT_RANDOM_KILLS: u32 = 40;
 
+/// Seed of the short form: it is always the same.
+const SHORT_SEED: u64 = 1;
+
 /// A point of the map `one_road`, and one far away from it.
 const QUESTION: &str = "x,y\n10,-1.5\n5000,5000\n";
 
@@ -51,7 +54,7 @@ struct Options {
     /// Kills of the victim `random`
     #[arg(long)]
     kills: Option<u32>,
-    /// Seed of the random kills [default: the clock]
+    /// Seed of the random kills [default: the clock, in the short form always the same]
     #[arg(long)]
     seed: Option<u64>,
 }
@@ -115,7 +118,8 @@ fn run(options: &Options) -> Checked<bool> {
             Victim::Random => {
                 let short = if options.short { SHORT_RANDOM_KILLS } else { RANDOM_KILLS };
                 let kills = options.kills.unwrap_or(short);
-                random::run(&stage, kills, options.seed.unwrap_or_else(random::seed_of_clock))?
+                let usual = || if options.short { SHORT_SEED } else { random::seed_of_clock() };
+                random::run(&stage, kills, options.seed.unwrap_or_else(usual))?
             }
         };
         say(&report.to_string());
