@@ -4,7 +4,7 @@
 use mapd_client::{Attach, Client};
 use mapd_tests::say;
 use mapd_tests::small::{Filler, in_small_shared_memory};
-use mapd_tests::stage::{ATTACH_DEADLINE, Stage};
+use mapd_tests::stage::{DAEMON_PATIENCE, Stage};
 use mapd_tests::tracer::{Moment, Side, Then, Traced};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
@@ -13,6 +13,7 @@ use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Command, ExitStatus, Stdio};
 use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 use syscalls::Sysno;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
@@ -33,6 +34,27 @@ static ALONE: Mutex<()> = Mutex::new(());
 fn stage() -> Stage {
     let map = mapd_tests::carried("one_road.xodr");
     Stage::new(Path::new(MAPD), &map, "x,y\n10,-1.5\n").expect("the map answers from its file")
+}
+
+/// Deadline of one attempt to attach: where there is no room it comes in vain.
+const ATTEMPT: Duration = Duration::from_millis(200);
+
+/// Whether an error says that shared memory is full.
+fn says_full(error: &str) -> bool {
+    error.contains("of shared memory")
+}
+
+/// A client of a daemon that is traced, and therefore slow.
+///
+/// Errors: there is no room; it cannot attach for long, for another reason.
+fn attach(stage: &Stage, attach: Attach) -> Result<Client, String> {
+    let until = Instant::now() + DAEMON_PATIENCE;
+    loop {
+        match stage.client(attach, ATTEMPT).map_err(|error| error.to_string()) {
+            Err(error) if !says_full(&error) && Instant::now() < until => {}
+            outcome => return outcome,
+        }
+    }
 }
 
 /// Runs a program and does something at each of its moments; how it ended and what it said.
@@ -110,11 +132,8 @@ fn reloading(
                 let outcome = &outcome;
                 scope.spawn(move || {
                     let reload = || {
-                        let connect = |attach| {
-                            let client = stage.client(attach, ATTACH_DEADLINE);
-                            client.map_err(|error| error.to_string())
-                        };
-                        let clients = [connect(Attach::Observer)?, connect(Attach::Subscriber)?];
+                        let clients =
+                            [attach(stage, Attach::Observer)?, attach(stage, Attach::Subscriber)?];
                         let held = clients.each_ref().map(Client::snapshot);
                         stage.touch_map()?;
                         let mut ask = stage.ask_command(&["reload"]);
@@ -178,12 +197,12 @@ fn while_a_daemon_reloads() {
             let end = format!("filled up {chosen}: {status}: {said}");
             assert!(status.success(), "the daemon serves on: {end}");
             // A client that comes when it is full is told so; one that was there keeps what it has.
-            held.or_else(|error| error.contains("of shared memory").then_some(()).ok_or(error))
+            held.or_else(|error| says_full(&error).then_some(()).ok_or(error))
                 .unwrap_or_else(|error| panic!("{end}: {error}"));
             if said.contains("now serving") {
                 well += 1;
             } else {
-                told += usize::from(said.contains("of shared memory"));
+                told += usize::from(says_full(&said));
             }
             let left = stage.files();
             assert!(left.is_empty(), "{end}\nleft behind: {left:?}");

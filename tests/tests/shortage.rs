@@ -7,7 +7,7 @@
 use iceoryx2::prelude::{NodeBuilder, ServiceName, SignalHandlingMode};
 use mapd_client::{Attach, Client, ClientError};
 use mapd_tests::say;
-use mapd_tests::test_domain::{PATIENCE, TestDomain};
+use mapd_tests::test_domain::{PATIENCE, TestDomain, until};
 use mapd_transport::{
     AttachError, Chunk64, GenerationInfo, MAX_SUBSCRIBERS, Subscription, TransportService,
     iceoryx2_config, service_name, wake_name,
@@ -70,11 +70,15 @@ fn too_small_at_the_start() {
 #[test]
 fn full_when_a_client_attaches() {
     let place = place();
+    // A daemon that cleans up on a busy machine may keep the lock for longer than one attempt.
     let script = format!(
         "{MAPD} --load {} & while ! {PROBE} ask town 1000 >/dev/null 2>&1; do sleep 0.02; done; \
          head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
-         PROBE_ATTACH=subscriber {PROBE} connect town 300; echo refused $?; \
-         {PROBE} ask town 300; echo observed $?; \
+         for attempt in $(seq 60); do \
+         said=$(PROBE_ATTACH=subscriber {PROBE} connect town 300); code=$?; \
+         case $said in *'stayed locked'*) ;; *) break ;; esac; done; \
+         echo \"$said\"; echo refused $code; \
+         {PROBE} ask town 10000; echo observed $?; \
          {{ sleep 0.2; echo; }} | {PROBE} wait town 300; echo waited $?; rm /dev/shm/filler; \
          {PROBE} ask town 10000; echo attached $?; \
          kill $!; wait $!; echo ended $?; ls -A /dev/shm",
@@ -96,16 +100,29 @@ fn full_when_a_client_attaches() {
     assert!(output.stdout.ends_with(b"ended 0\n"), "left behind: {text}");
 }
 
+/// Steps of a script with files in this folder. The first starts a client, `$waiting`, and goes on when it has attached; what it says is in
+/// the file `$said`. The second has it wait for the next generation, so long \[ms\].
+fn waiting_client(folder: &Path, wait: u32) -> (String, String) {
+    let (told, said) = (folder.join("told"), folder.join("said"));
+    let (told, said) = (told.display(), said.display());
+    let start = format!(
+        "said={said}; mkfifo {told}; {PROBE} wait town {wait} < {told} > $said & waiting=$!; exec 3> {told}; \
+         while kill -0 $waiting && ! grep -q attached $said; do sleep 0.02; done;"
+    );
+    (start, "echo >&3; exec 3>&-;".to_owned())
+}
+
 /// A client that holds a generation and waits for the next keeps what it has.
 #[test]
 fn full_while_a_client_waits() {
     let place = place();
+    let folder = tempfile::tempdir().expect("a folder");
+    let (start, tell) = waiting_client(folder.path(), 400);
     let script = format!(
         "{MAPD} --load {} & daemon=$!; \
          while ! {PROBE} ask town 1000 >/dev/null 2>&1; do sleep 0.02; done; \
-         {{ sleep 0.3; echo; }} | {PROBE} wait town 400 & waiting=$!; sleep 0.2; \
-         head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
-         wait $waiting; echo waited $?; rm /dev/shm/filler; \
+         {start} head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
+         {tell} wait $waiting; echo waited $?; cat $said; rm /dev/shm/filler; \
          {PROBE} ask town 10000; echo attached $?; \
          kill $daemon; wait $daemon; echo ended $?; ls -A /dev/shm",
         town()
@@ -123,15 +140,16 @@ fn full_while_a_client_waits() {
 #[test]
 fn full_when_a_map_is_reloaded() {
     let place = place();
+    let folder = tempfile::tempdir().expect("a folder");
+    let (start, tell) = waiting_client(folder.path(), 20_000);
     let script = format!(
         "cp {} /tmp/$$.xodr; {MAPD} --load /tmp/$$.xodr --name town & daemon=$!; \
          while ! {PROBE} ask town 1000 >/dev/null 2>&1; do sleep 0.02; done; \
-         {{ sleep 2; echo; }} | {PROBE} wait town 10000 & waiting=$!; sleep 0.2; \
-         echo >> /tmp/$$.xodr; head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
+         {start} echo >> /tmp/$$.xodr; head -c 100M /dev/zero > /dev/shm/filler 2>/dev/null; \
          {MAPD} reload town; echo refused $?; rm /dev/shm/filler; \
          {MAPD} status --json | grep '\"reason\"'; \
          {PROBE} ask town 10000; echo attached $?; \
-         {MAPD} reload town; echo reloaded $?; wait $waiting; echo waited $?; \
+         {tell} {MAPD} reload town; echo reloaded $?; wait $waiting; echo waited $?; cat $said; \
          kill $daemon; wait $daemon; echo ended $?; rm /tmp/$$.xodr; ls -A /dev/shm",
         town()
     );
@@ -230,8 +248,14 @@ fn more_clients_than_places() {
     let domain = place.domain();
     let attach = || Subscription::connect(&domain, "town", Instant::now() + PATIENCE);
     let all: Vec<_> = (0..MAX_SUBSCRIBERS).map(|_| attach().expect("a place")).collect();
-    let deadline = Instant::now() + Duration::from_millis(200);
-    let error = Subscription::connect(&domain, "town", deadline).expect_err("no place is left");
+    // A daemon that cleans up on a busy machine may keep the lock for so long.
+    let error = until("an answer", || {
+        let deadline = Instant::now() + Duration::from_millis(200);
+        match Subscription::connect(&domain, "town", deadline).expect_err("no place is left") {
+            AttachError::Busy { .. } => None,
+            error => Some(error),
+        }
+    });
     assert!(matches!(error, AttachError::TooManySubscribers { .. }), "{error}");
     assert!(error.to_string().contains(&MAX_SUBSCRIBERS.to_string()), "{error}");
     drop(all);
@@ -371,6 +395,9 @@ fn other_limits_of_a_living_client_are_told() {
         assert!(text.contains("other limits"), "{text}");
         drop((services, node, presence));
     }
-    // With the client gone the map can be served.
-    place.serve(&[&town(), "--name", "other"]);
+    // With the client gone the map can be served: also with the descriptors that children of other tests have until they execute another
+    // program.
+    until("a daemon that serves", || {
+        place.start(&[&town(), "--name", "other"]).wait_for_serving().ok()
+    });
 }

@@ -161,7 +161,8 @@ mod tests {
         let place = DomainFolder::new("lockfair");
         let lock = AttachLock::create(&place.0).expect("a lock");
         let (end, begun) = (AtomicBool::new(false), Barrier::new(CLIENTS + 1));
-        let far = || Instant::now() + Duration::from_secs(10);
+        // Without the turnstile the daemon waits for ever.
+        let far = || Instant::now() + Duration::from_secs(20);
         std::thread::scope(|scope| {
             for _ in 0..CLIENTS {
                 scope.spawn(|| {
@@ -176,7 +177,7 @@ mod tests {
             }
             begun.wait();
             for _ in 0..20 {
-                let guard = lock.exclusive(Instant::now() + Duration::from_secs(2)).expect("locks");
+                let guard = lock.exclusive(far()).expect("locks");
                 assert!(guard.is_some(), "the daemon gets the lock");
                 drop(guard);
                 std::thread::sleep(HOLD);

@@ -14,8 +14,8 @@ use thiserror::Error;
 pub(crate) const SUFFIX: &str = ".lock";
 
 /// How long a daemon tries to claim a map: longer than a client needs to look whether the map is served, which takes the
-/// lock for some microseconds.
-const PATIENCE: Duration = Duration::from_millis(200);
+/// lock for some microseconds, on a busy machine until it has its next turn.
+const PATIENCE: Duration = Duration::from_secs(2);
 
 /// Longest text of a process id that is read \[bytes\].
 const LONGEST_PID: u64 = 32;

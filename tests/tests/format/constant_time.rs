@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::ExitStatusExt;
 use std::process::Command;
-use std::sync::mpsc;
+use std::sync::{Mutex, PoisonError, mpsc};
 
 const PROBE: &str = env!("CARGO_BIN_EXE_planner_probe");
 
@@ -17,6 +17,9 @@ const FAULTS: u64 = 2;
 
 /// Signal number of a forbidden access to memory.
 const SIGSEGV: i32 = 11;
+
+/// One test at a time looks how much room there is, and takes it.
+static ROOM: Mutex<()> = Mutex::new(());
 
 /// Rows of about this many bytes; the large table is plain numbers, as all are.
 fn rows(bytes: usize) -> Rows {
@@ -80,6 +83,7 @@ fn room() -> u64 {
 fn the_checked_access_touches_two_pages_whatever_the_size() {
     let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
     let mut counts = Vec::new();
+    let _alone = ROOM.lock().unwrap_or_else(PoisonError::into_inner);
     for bytes in [1 << 20, 512 << 20] {
         if room() < 2 * bytes {
             say(&format!("SKIPPED for {bytes} bytes: /dev/shm has only {} free", room()));
@@ -107,6 +111,7 @@ const ATTACH_FAULTS: u64 = 6;
 fn an_observer_touches_as_many_pages_whatever_the_size() {
     let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
     let mut counts = Vec::new();
+    let _alone = ROOM.lock().unwrap_or_else(PoisonError::into_inner);
     for bytes in [1 << 20, 512 << 20] {
         if room() < 2 * bytes {
             say(&format!("SKIPPED for {bytes} bytes: /dev/shm has only {} free", room()));

@@ -147,7 +147,7 @@ fn a_daemon_ends_at_once_whatever_it_looks_at() {
         std::thread::sleep(Duration::from_millis(1010));
         let start = Instant::now();
         assert_eq!(daemon.stop(), 0);
-        assert!(start.elapsed() < Duration::from_secs(8), "{:?}", start.elapsed());
+        assert!(start.elapsed() < PATIENCE, "{:?}", start.elapsed());
     }
 }
 
@@ -292,7 +292,7 @@ fn nobody_waits_for_ever_for_a_daemon_that_is_stopped() {
     let start = Instant::now();
     let answer = ask(&place.domain(), "town", &Request::Status, Duration::from_millis(200));
     assert!(answer.is_err(), "{answer:?}");
-    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
+    assert!(start.elapsed() < PATIENCE, "{:?}", start.elapsed());
     daemon.signal("CONT");
 }
 
