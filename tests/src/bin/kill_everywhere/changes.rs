@@ -11,6 +11,7 @@ use nix::sys::signal::{Signal, kill};
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::Stdio;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 use syscalls::Sysno;
 
@@ -36,31 +37,73 @@ pub(crate) fn daemon(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
         what.iter().chain(&own).map(|arg| (*arg).to_owned()).collect()
     };
     let asked: Asked = ASKED.into_iter().map(whole).collect();
-    killed(&stage, "daemon, while it changes what it serves", &asked, choice, |_| Ok(()))
+    killed(&stage, "daemon, while it changes what it serves", &asked, choice, None)
 }
 
-/// Kills a daemon wherever it is asked to change something. What else must hold is examined after each kill, and after the next daemon's start.
+/// Which of what was asked is served whole; none where nobody serves.
+pub(crate) type Serves = fn(&Stage) -> Checked<Option<usize>>;
+
+/// Which of what was asked may be served: what was answered last, and what was asked since.
+struct Served(Mutex<Vec<usize>>);
+
+impl Served {
+    fn asked(&self, what: usize) {
+        self.lock().push(what);
+    }
+
+    /// Nothing else may be served.
+    fn answered(&self, what: usize) {
+        *self.lock() = vec![what];
+    }
+
+    /// What a reader found: nothing older may be served any more. It is written down before readers see it, so newer may be.
+    fn seen(&self, found: usize) -> Checked<()> {
+        let mut may = self.lock();
+        let Some(at) = may.iter().position(|one| *one == found) else {
+            return Err(format!("number {found} is served, where {may:?} may be"));
+        };
+        may.drain(..at);
+        Ok(())
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Vec<usize>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Kills a daemon wherever it is asked to change something. With `serves`, what it was asked outlives it: then it is killed wherever it starts with that, too, and after each
+/// kill, and after the next daemon's start, what was answered is served, or what was asked since.
 pub(crate) fn killed(
     stage: &Stage,
     name: &str,
     asked: &Asked,
     choice: Choice<'_>,
-    holds: impl Fn(&Stage) -> Checked<()>,
+    serves: Option<Serves>,
 ) -> Checked<Report> {
     let first = stage.serve()?;
     let mut witness = Witness::new(stage)?;
     first.stop()?;
+    let served = Served(Mutex::default());
+    if serves.is_some() {
+        serving(stage, asked, &served, |_| Then::Continue)?;
+    }
     let mut moments = Vec::new();
     let mut first_wait = None;
-    serving(stage, asked, |moment| {
+    serving(stage, asked, &served, |moment| {
         moments.push(*moment);
         if first_wait.is_none() && waits(moment) {
             first_wait = Some(moments.len());
         }
         Then::Continue
     })?;
-    // Starting is another victim's matter.
-    let moments = moments.split_off(first_wait.unwrap_or_default());
+    let last = asked.len() - 1;
+    if *served.lock() != [last] {
+        return Err(format!("{name}: not all was answered: {:?}", served.lock()));
+    }
+    if serves.is_none() {
+        // Starting is another victim's matter.
+        moments = moments.split_off(first_wait.unwrap_or_default());
+    }
     let chosen = choice.of(&moments);
     let mut report = Report::new(name, moments.len(), chosen.len());
     let daemon = stage.serve()?;
@@ -69,9 +112,12 @@ pub(crate) fn killed(
     let before = stage.files();
     for moment in &chosen {
         watchdog::step(&format!("{name}, killed {moment}"));
-        report.ran(moment.kill(|at| serving(stage, asked, at))?);
+        report.ran(moment.kill(|at| serving(stage, asked, &served, at))?);
         report.note(moment, is_found_whole_or_not(stage));
-        report.note(moment, holds(stage));
+        if let Some(serves) = serves {
+            let found = serves(stage).and_then(|found| found.map_or(Ok(()), |n| served.seen(n)));
+            report.note(moment, found);
+        }
         report.note(moment, witness.still_reads());
         // What the killed one served last is as right.
         report.note(moment, witness.keeps_up());
@@ -81,7 +127,11 @@ pub(crate) fn killed(
         if let Some(time) = report.note(moment, stage.fresh_client()) {
             report.attached(time);
         }
-        report.note(moment, holds(stage));
+        if let Some(serves) = serves {
+            let found = serves(stage).and_then(|found| found.ok_or("nobody serves".to_owned()));
+            let seen = found.and_then(|found| served.seen(found).map(|()| served.answered(found)));
+            report.note(moment, seen);
+        }
         report.note(moment, witness.follows());
         report.note(moment, daemon.stop());
         report.note(moment, settles(stage, &before));
@@ -97,7 +147,12 @@ fn waits(moment: &Moment) -> bool {
 }
 
 /// Runs a daemon, which is asked everything as soon as it serves, and then to stop; whether it was killed.
-fn serving(stage: &Stage, asked: &Asked, mut at: impl FnMut(&Moment) -> Then) -> Checked<bool> {
+fn serving(
+    stage: &Stage,
+    asked: &Asked,
+    served: &Served,
+    mut at: impl FnMut(&Moment) -> Then,
+) -> Checked<bool> {
     let (traced, _) = Traced::start(&stage.daemon_command(), "", Stdio::null())
         .map_err(|error| error.to_string())?;
     let pid = traced.pid();
@@ -107,12 +162,16 @@ fn serving(stage: &Stage, asked: &Asked, mut at: impl FnMut(&Moment) -> Then) ->
             if waits(moment) && !has_asked {
                 has_asked = true;
                 scope.spawn(move || {
-                    for what in asked {
-                        // Whoever does not get an answer from a killed daemon goes on, and gets none either.
+                    for (i, what) in asked.iter().enumerate() {
                         let _ = stage.touch_map();
                         let args: Vec<&str> = what.iter().map(String::as_str).collect();
                         let mut command = stage.command(&args);
-                        let _ = command.stderr(Stdio::null()).status();
+                        served.asked(i);
+                        if !command.stderr(Stdio::null()).status().is_ok_and(|end| end.success()) {
+                            // Whoever asks a killed daemon for more gets no answer either.
+                            break;
+                        }
+                        served.answered(i);
                     }
                     // Fails only if it has ended.
                     let _ = kill(pid, Signal::SIGTERM);

@@ -1,4 +1,4 @@
-//! A daemon killed at every system call of laying overlays over what it serves, of writing them down, and of serving them anew.
+//! A daemon killed at every system call of starting with an overlay that is kept, of laying others over what it serves, and of writing them down.
 
 use crate::changes::{Asked, killed, stage};
 use crate::report::{Choice, Report};
@@ -31,24 +31,31 @@ pub(crate) fn daemon(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
         let args = ["overlay", &name, "apply", &path, "--wait", "5"];
         asked.push(args.map(str::to_owned).to_vec());
     }
-    killed(&stage, "daemon, while overlays are laid over what it serves", &asked, choice, is_whole)
+    killed(
+        &stage,
+        "daemon, while overlays are laid over what it serves",
+        &asked,
+        choice,
+        Some(revision),
+    )
 }
 
-/// Whoever attaches finds one revision, whole, or none yet.
-fn is_whole(stage: &Stage) -> Checked<()> {
+/// The revision that whoever attaches finds, whole.
+fn revision(stage: &Stage) -> Checked<Option<usize>> {
     let client = match stage.client(Attach::Observer, Duration::ZERO) {
         Ok(client) => client,
         Err(ClientError::Attach(
             AttachError::NoDaemon { .. } | AttachError::NoGeneration { .. },
-        )) => return Ok(()),
+        )) => return Ok(None),
         Err(error) => return Err(format!("the overlay: {error}")),
     };
     let snapshot = client.snapshot();
     let view = snapshot.view(SystemTime::UNIX_EPOCH);
     let said: Vec<&str> = view.entries().map(|entry| entry.text()).collect();
-    let is_one = said.iter().all(|text| Some(text) == said.first());
-    match (said.len(), is_one) {
-        (0 | ENTRIES, true) => Ok(()),
-        _ => Err(format!("half an overlay: {said:?}")),
+    match said.first().and_then(|text| text.parse().ok()) {
+        Some(one) if said.len() == ENTRIES && said.iter().all(|text| *text == said[0]) => {
+            Ok(Some(one))
+        }
+        _ => Err(format!("no whole overlay: {said:?}")),
     }
 }
