@@ -28,6 +28,8 @@ const MAPS: [&str; 5] = [
 
 /// Stretches that are restricted on each map.
 const STRETCHES: usize = 170;
+/// Closures that are compared over all maps, at least.
+const LEAST_CLOSURES: usize = 1_000;
 /// Pairs of places on each map.
 const PAIRS: usize = 400;
 /// Costs may differ by what single precision leaves of lengths and times of pieces, in proportion.
@@ -84,8 +86,8 @@ fn there<'a>(map: Map<'a>, lane: &Lane<'_>) -> Lane<'a> {
     map.lane_by_key(&lane.key()).expect("the same lanes")
 }
 
-/// Compares a map with random stretches written into it; speeds from one limit to another `[m/s]`.
-fn check(name: &str, text: &str, (speeds, seed): ([f64; 2], u64)) {
+/// Compares a map with random stretches written into it; speeds from one limit to another `[m/s]`. How many of them are closed.
+fn check(name: &str, text: &str, (speeds, seed): ([f64; 2], u64)) -> usize {
     let plain = open_text(text);
     let map = plain.map();
     let mut random = Random(seed);
@@ -107,6 +109,7 @@ fn check(name: &str, text: &str, (speeds, seed): ([f64; 2], u64)) {
     say(&format!("{name}: {} stretches, {closed} of them closed", kept.len()));
     assert!(kept.len() > 10, "{name}: nothing to compare");
     compare(name, view, &compiled, &kept, &mut random);
+    closed
 }
 
 /// Compares a view with a map of the same content as text.
@@ -281,24 +284,22 @@ fn named(map: Map<'_>, steps: &[RouteStep]) -> Vec<String> {
     steps.iter().map(name).collect()
 }
 
-#[test]
-fn a_generated_town() {
-    check("town", &town(7, 6), SLOWER);
-    check("town", &town(7, 6), FASTER);
-    check_opened("town", &town(7, 6), &["passengerCar"]);
-    check_opened("town", &town(7, 6), &motor());
+/// Compares a map with closures, slower and faster stretches, and openings; how many closures there were.
+fn check_all(name: &str, text: &str) -> usize {
+    check_opened(name, text, &["passengerCar"]);
+    check_opened(name, text, &motor());
+    check(name, text, SLOWER) + check(name, text, FASTER)
 }
 
 #[test]
-fn maps_of_the_corpus() {
+fn a_generated_town_and_maps_of_the_corpus() {
+    let mut closures = check_all("town", &town(7, 6));
     let Some(folder) = shared("maps") else {
-        return say("SKIPPED: no shared corpus beside the workspace");
+        return say("SKIPPED in part: no shared corpus beside the workspace");
     };
     for name in MAPS {
         let text = std::fs::read_to_string(folder.join(name)).expect("a map");
-        check(name, &text, SLOWER);
-        check(name, &text, FASTER);
-        check_opened(name, &text, &["passengerCar"]);
-        check_opened(name, &text, &motor());
+        closures += check_all(name, &text);
     }
+    assert!(closures >= LEAST_CLOSURES, "{closures} closures over all maps");
 }
