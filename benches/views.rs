@@ -26,12 +26,16 @@ struct Bound {
     most: [f64; 4],
 }
 
-const BOUNDS: [Bound; 4] = [
-    Bound { kind: "nearest", runs: [500, 4_500], most: [1.02, 1.02, 1.02, 1.02] },
+const BOUNDS: [Bound; 6] = [
+    Bound { kind: "match", runs: [100, 900], most: [1.02, 1.02, 1.02, 1.02] },
     Bound { kind: "speed", runs: [500, 8_500], most: [1.02, 1.20, 1.20, 1.20] },
     Bound { kind: "allows", runs: [500, 8_500], most: [1.12, 1.60, 1.60, 1.64] },
-    Bound { kind: "route", runs: [2, 66], most: [1.02, 1.34, 2.85, 5.90] },
+    Bound { kind: "route", runs: ROUTES, most: [1.02, 1.20, 2.85, 5.90] },
+    Bound { kind: "find-route", runs: ROUTES, most: [1.02, 1.20, 2.85, 5.90] },
+    Bound { kind: "reachable", runs: ROUTES, most: [1.02, 1.20, 1.20, 1.20] },
 ];
+/// Routes of the short and of the long run.
+const ROUTES: [usize; 2] = [2, 66];
 /// Most that a route under whole lanes may take, as a share of the map's search with factors.
 const BY_FACTORS: f64 = 1.10;
 
@@ -107,7 +111,7 @@ pub(super) fn run(probe: &str, folder: &Path) -> bool {
         }
     }
     // The probe fails if the two find different costs.
-    let under = |kind: &str| counted(probe, &[&path, &overlays[2], kind], BOUNDS[3].runs);
+    let under = |kind: &str| counted(probe, &[&path, &overlays[2], kind], ROUTES);
     let (view, factors) = (under("open-route"), under("factors-route"));
     let share = view / factors;
     let what =
@@ -120,7 +124,7 @@ pub(super) fn run(probe: &str, folder: &Path) -> bool {
         r#"{{"entries":[{{"id":"1","kind":"open","vehicles":["passengerCar"],"lanes":[{{"key":"{key}"}}]}}]}}"#
     );
     let opened = write_overlay(map, &opens, &folder.join("opened"));
-    let route = |overlay, kind| counted(probe, &[&path, overlay, kind], BOUNDS[3].runs);
+    let route = |overlay, kind| counted(probe, &[&path, overlay, kind], ROUTES);
     let (view, own) = (route(&opened, "route"), route("-", "map-route"));
     print(&format!(
         "view, route, one lane opened: {view:.0} instructions, {:.2} of the map's",

@@ -92,7 +92,7 @@ pub use object_codes::{
     object_flags, outline_flags,
 };
 pub use open::{Archive, open, string};
-pub use overlay::{Overlay, open_overlay, overlay_string, verify_overlay};
+pub use overlay::{Overlay, open_overlay, overlay_changes_ways, overlay_string, verify_overlay};
 pub use overlay_codes::OverlayKind;
 pub use points::{PointCode, PointReader};
 pub use road_rules::{FromSide, RoadRules};

@@ -4,12 +4,12 @@
 //! it from a map, and in the place of the input's hash it has the content hash of the map that it was resolved for: its
 //! rows name rows of that map and mean nothing with another.
 
-use crate::OverlayTables;
 use crate::directory::Reader;
 use crate::error::{OpenError, VerifyError};
 use crate::header::{HEADER_LENGTH, Header};
 use crate::open::{string_of, whole};
 use crate::verify::{Check, strings};
+use crate::{OverlayKind, OverlayTables};
 
 /// Tells an overlay from a map, among the features that a reader must know of.
 pub(crate) const OVERLAY_BIT: u64 = 1 << 63;
@@ -80,11 +80,15 @@ pub fn verify_overlay(bytes: &[u8]) -> Result<Overlay<'_>, VerifyError> {
     Ok(overlay)
 }
 
-/// Nodes stand where `touched` says, and each piece is that of its node.
+/// Nodes stand where `touched` says, each piece is that of its node, and what changes ways on it is about vehicles that the node names.
 fn nodes(tables: &OverlayTables<'_>) -> Result<(), VerifyError> {
     let bits = tables.touched.iter().enumerate().flat_map(|(word, row)| {
         (0..64).filter(|bit| row.bits() >> bit & 1 != 0).map(move |bit| 64 * word as u64 + bit)
     });
+    let (named, all) = (tables.node_vehicles, tables.nodes.len());
+    if !named.is_empty() && named.len() != all {
+        Check { table: "node_vehicles", row: 0 }.fail("", format!("{all} or none"), named.len())?;
+    }
     let mut first = 0;
     for (i, (row, node)) in tables.nodes.iter().zip(bits).enumerate() {
         let check = Check { table: "nodes", row: i };
@@ -107,6 +111,15 @@ fn nodes(tables: &OverlayTables<'_>) -> Result<(), VerifyError> {
             if piece.s_from() > piece.s_to() {
                 check.fail("s_to", "no less than s_from", piece.s_to())?;
             }
+            let entries = piece.entries().of(tables.piece_entries).iter();
+            let entries = entries.filter_map(|entry| tables.entries.get(*entry as usize));
+            let changing = entries.filter(|e| overlay_changes_ways(e.kind()));
+            let classes = changing.fold(0, |all, entry| all | entry.vehicles());
+            let missing = named.get(i).map_or(0, |named| classes & !named);
+            if missing != 0 {
+                let check = Check { table: "node_vehicles", row: i };
+                check.fail("", format!("the bits {missing:#x} as well"), named[i])?;
+            }
         }
         first += pieces.count;
     }
@@ -118,6 +131,13 @@ fn nodes(tables: &OverlayTables<'_>) -> Result<(), VerifyError> {
         )?;
     }
     Ok(())
+}
+
+/// Whether an entry of this kind opens, closes or slows the ways of the vehicles that it is about.
+#[inline]
+pub fn overlay_changes_ways(kind: u8) -> bool {
+    use OverlayKind::{Closed, Open, Speed};
+    matches!(OverlayKind::from_code(kind), Closed | Open | Speed)
 }
 
 /// The string of a number; empty if there is none or it is not UTF-8 (a corrupt overlay).

@@ -3,7 +3,9 @@
 //! All lanes of a section are cut at the same places, so that a change of lane leads from each piece to the one beside it. As in the map itself, what
 //! holds in the middle of a piece holds for all of it, and no piece is shorter than [`SHORTEST_PIECE`].
 
-use mapd_archive::{OverlayNodeRow, OverlayRows, PieceRow, Range, TouchedRow};
+use mapd_archive::{
+    OverlayEntryRow, OverlayNodeRow, OverlayRows, PieceRow, Range, TouchedRow, overlay_changes_ways,
+};
 use mapd_query::Map;
 use mapd_query::SRange;
 use mapd_query::compiling::ByRow as _;
@@ -27,18 +29,24 @@ pub(crate) type Marks = BTreeMap<u32, Vec<Mark>>;
 /// Fills the tables of nodes and pieces.
 pub(crate) fn fill(map: Map<'_>, marks: &Marks, rows: &mut OverlayRows) {
     let cuts = cuts(map, marks);
-    let mut touched: BTreeMap<u32, &[f64]> = marks.keys().map(|node| (*node, &[][..])).collect();
+    let own = |marks: &Vec<Mark>| vehicles(marks, &rows.entries);
+    let mut touched: BTreeMap<u32, (&[f64], u16)> =
+        marks.iter().map(|(node, marks)| (*node, (&[][..], own(marks)))).collect();
     for (first, cuts) in cuts.iter().filter(|(_, cuts)| !cuts.is_empty()) {
-        for node in map.lane_node_by_row(*first).iter().flat_map(beside) {
-            touched.insert(row(&node), cuts);
+        let together = || map.lane_node_by_row(*first).into_iter().flat_map(|node| beside(&node));
+        let all = together().filter_map(|node| marks.get(&row(&node)).map(own));
+        let all = all.fold(0, |all, own| all | own);
+        for node in together() {
+            touched.insert(row(&node), (cuts, all));
         }
     }
-    for (number, cuts) in touched {
+    for (number, (cuts, vehicles)) in touched {
         let Some(node) = map.lane_node_by_row(number) else { continue };
         let first = rows.pieces.len() as u32;
         cut(&node, cuts, marks.get(&number).map_or(&[][..], Vec::as_slice), rows);
         let pieces = Range { first, count: rows.pieces.len() as u32 - first };
         rows.nodes.push(OverlayNodeRow { node: number, pieces });
+        rows.node_vehicles.push(vehicles);
     }
     let words = rows.nodes.last().map_or(0, |node| node.node as usize / 64 + 1);
     let mut bits = vec![0_u64; words];
@@ -50,6 +58,13 @@ pub(crate) fn fill(map: Map<'_>, marks: &Marks, rows: &mut OverlayRows) {
         rows.touched.push(TouchedRow { bits, rank, reserved: 0 });
         rank += bits.count_ones();
     }
+}
+
+/// Classes of vehicles for which marks close, open or slow something.
+fn vehicles(marks: &[Mark], entries: &[OverlayEntryRow]) -> u16 {
+    let entries = marks.iter().filter_map(|mark| entries.get(mark.entry as usize));
+    let routed = entries.filter(|entry| overlay_changes_ways(entry.kind));
+    routed.fold(0, |all, entry| all | entry.vehicles)
 }
 
 /// Places at which the nodes beside each other are cut, by the first row of them, ascending.

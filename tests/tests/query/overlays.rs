@@ -1,6 +1,6 @@
 //! Overlays: what is refused, when entries hold, what a view says.
 
-use mapd_archive::{OpenError, open_overlay, verify_overlay};
+use mapd_archive::{OpenError, OverlayRows, open_overlay, verify_overlay};
 use mapd_client::view::OverlayKind;
 use mapd_client::{Map, Snapshot};
 use mapd_overlay::{Document, DocumentError, Limits, Placements, Policy, resolve};
@@ -392,6 +392,54 @@ fn what_does_not_fit() {
     check(r#","objects":["tree"]"#, r#""kind":"closed""#, "objects[0]");
     check(r#","signals":["9"]"#, r#""kind":"signal-off""#, "signals[0]");
     check(r#","lanes":[{"road":"A","lane":-3}]"#, r#""kind":"open""#, "kind");
+}
+
+/// What is about other vehicles does not cut a vehicle's ways; an overlay that does not say whom its nodes concern gives the same routes.
+#[test]
+fn what_is_about_others_changes_no_way() {
+    let snapshot = two_lanes();
+    let map = snapshot.map();
+    let text = entries(&[
+        entry("a", r#""kind":"closed","vehicles":["truck"]"#),
+        entry("b", r#""kind":"warning""#).replace("[40,60]", "[20,30]"),
+    ]);
+    let (_, resolved) = over(map, &text, false);
+    let encode = |rows: &OverlayRows| {
+        mapd_archive::encode_overlay(rows, map.content_hash()).expect("encodes")
+    };
+    let named = encode(&resolved.rows);
+    let mut rows = resolved.rows;
+    // Lanes of the section are cut together, so all of them concern who is concerned on one.
+    let truck = VehicleClass::Truck;
+    assert!(rows.node_vehicles.iter().all(|classes| *classes == truck.bit()));
+    let nodes = rows.nodes.len();
+    for wrong in [vec![truck.bit(); nodes - 1], vec![CAR.bit(); nodes]] {
+        rows.node_vehicles = wrong.into();
+        let error = verify_overlay(&encode(&rows)).err().map(|error| error.to_string());
+        assert!(error.as_ref().is_some_and(|e| e.contains("node_vehicles")), "{error:?}");
+    }
+    rows.node_vehicles.clear();
+    let unnamed = encode(&rows);
+    verify_overlay(&unnamed).expect("proves");
+    let lane = lane_id(map, -1);
+    let [from, to] = [10.0, 90.0].map(|s| PositionOnLane { lane, s });
+    let (mut scratch, mut steps, mut reached) = (RouteScratch::default(), Vec::new(), Vec::new());
+    let cost = ShortestLength::default();
+    let mut ask = |bytes: &[u8], vehicle| {
+        let overlay = open_overlay(bytes).expect("opens");
+        let view = View::new(map, Some(&overlay), at(0.0)).expect("its own");
+        let route = view.route(from, to, vehicle, &cost, &mut scratch, &mut steps);
+        let route = route.expect("an answer").expect("a way");
+        view.reachable(from, 200.0, vehicle, &cost, &mut scratch, &mut reached).expect("an answer");
+        (route.cost, steps.len(), reached.len())
+    };
+    let (car, car_unnamed) = (ask(&named, CAR), ask(&unnamed, CAR));
+    assert_eq!((car.0, car.1), (80.0, 1));
+    assert!(car.2 < car_unnamed.2, "{car:?} {car_unnamed:?}");
+    assert!((car.0 - car_unnamed.0).abs() < 1e-6, "{car:?} {car_unnamed:?}");
+    let by_truck = ask(&named, truck);
+    assert!(by_truck.0 > 80.0 && by_truck.1 > 1, "{by_truck:?}");
+    assert_eq!(by_truck, ask(&unnamed, truck));
 }
 
 /// Whatever a damaged overlay says, nothing panics, and no search runs for ever.

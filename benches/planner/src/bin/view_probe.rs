@@ -1,13 +1,16 @@
 //! One process that asks a map, or a view over it, a number of questions: `view_probe MAP OVERLAY KIND COUNT`, for counting instructions. OVERLAY is the
-//! bytes of an overlay, or `-` for a view without one. Kinds: `speed`, `allows`, `nearest`, `route` (the fastest way between random places that have one), each also
-//! with `map-` before it, of the map itself; `open-route` asks only for ways that there are under the overlay, and `factors-route` has the map search these with what the
+//! bytes of an overlay, or `-` for a view without one. Kinds: `speed`, `allows`, `match` (the lanes of a pose), `route` and `find-route` (the fastest way between random
+//! places that have one), `reachable` (within a time), each also with `map-` before it, of the map itself; `open-route` asks only for ways that there are under the overlay, and `factors-route` has the map search these with what the
 //! overlay says of whole lanes as factors of them.
 
 use mapd_archive::AlignedBytes;
-use mapd_client::route::{PositionOnLane, RouteCost, RouteScratch, ShortestTime, WithFactors};
+use mapd_client::localisation::{MatchOptions, VehiclePose};
+use mapd_client::route::{
+    PositionOnLane, RouteCost, RouteEnd, RouteRequest, RouteScratch, ShortestTime, WithFactors,
+};
 use mapd_client::view::View;
 use mapd_client::vocabulary::VehicleClass;
-use mapd_client::{Lane, LaneId, Map, NearestOptions, Snapshot, glam::DVec2};
+use mapd_client::{Lane, LaneId, Map, Point, Snapshot, glam::DMat3};
 use mapd_planner::Random;
 use std::hint::black_box;
 use std::path::Path;
@@ -18,6 +21,8 @@ use std::time::UNIX_EPOCH;
 const PLACES: usize = 4_096;
 /// Ways that are prepared.
 const WAYS: usize = 64;
+/// How far questions of what can be reached go `[s]`.
+const WITHIN: f64 = 60.0;
 /// Vehicle that drives them.
 const CAR: VehicleClass = VehicleClass::PassengerCar;
 
@@ -115,11 +120,15 @@ fn main() -> ExitCode {
     let view = snapshot.view(UNIX_EPOCH);
     let places = places(map);
     let middle = |&(lane, s): &(LaneId, f64)| {
-        map.lane(lane).ok()?.pose_at(s, 0.0).ok().map(|pose| pose.position.truncate())
+        let pose = map.lane(lane).ok()?.pose_at(s, 0.0).ok()?;
+        let position = Point::from(pose.position.truncate());
+        Some(VehiclePose { position, heading: pose.heading })
     };
-    let points: Vec<DVec2> = places.iter().filter_map(middle).collect();
+    let poses: Vec<VehiclePose> = places.iter().filter_map(middle).collect();
     let ways = if kind.ends_with("route") { ways(map, &places) } else { Vec::new() };
-    let (options, cost) = (NearestOptions::default(), ShortestTime::default());
+    let cost = ShortestTime::default();
+    let options = MatchOptions { vehicle: Some(CAR), ..MatchOptions::default() };
+    let (mut matches, mut reached) = (Vec::new(), Vec::new());
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let is_compared = matches!(kind.as_str(), "open-route" | "factors-route");
     let factors = if is_compared { factors(view) } else { Vec::new() };
@@ -141,11 +150,32 @@ fn main() -> ExitCode {
             "allows" => {
                 black_box(&view.allows(lane, s, CAR));
             }
-            "map-nearest" => {
-                black_box(&map.nearest_lane(points[i % points.len()], &options));
+            "map-match" => {
+                let pose = &poses[i % poses.len()];
+                black_box(&map.match_pose(pose, &DMat3::IDENTITY, &options, &mut matches).ok());
             }
-            "nearest" => {
-                black_box(&view.map().nearest_lane(points[i % points.len()], &options));
+            "match" => {
+                let pose = &poses[i % poses.len()];
+                black_box(&view.match_pose(pose, &DMat3::IDENTITY, &options, &mut matches).ok());
+            }
+            "map-reachable" | "reachable" => {
+                let from = PositionOnLane { lane, s };
+                let out = &mut reached;
+                let found = match kind.as_str() {
+                    "reachable" => view.reachable(from, WITHIN, CAR, &cost, &mut scratch, out),
+                    _ => map.reachable(from, WITHIN, CAR, &cost, &mut scratch, out),
+                };
+                black_box(&found);
+            }
+            "map-find-route" | "find-route" => {
+                let [starts, goals] = ways[i % ways.len()].map(|place| [RouteEnd::from(place)]);
+                let (starts, goals) = (&starts[..], &goals[..]);
+                let request = RouteRequest { starts, goals, vehicle: CAR, cost: &cost, avoid: &[] };
+                let found = match kind.as_str() {
+                    "find-route" => view.find_route(&request, &mut scratch, &mut steps),
+                    _ => map.find_route(&request, &mut scratch, &mut steps),
+                };
+                black_box(&found);
             }
             "map-route" => {
                 let [from, to] = ways[i % ways.len()];

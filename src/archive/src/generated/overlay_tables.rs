@@ -8,7 +8,7 @@ use crate::table::Table;
 use crate::verify::Check;
 
 /// The tables of an overlay, by number.
-pub(crate) const OVERLAY_TABLES: [TableKind; 10] = [
+pub(crate) const OVERLAY_TABLES: [TableKind; 11] = [
     TableKind::new(1, "string_bytes", 1, 0xb6f9a5667163132f, true),
     TableKind::new(2, "string_offsets", 4, 0x67743eeea1e68648, true),
     TableKind::new(3, "overlay", 24, 0x304c3bba2686a319, true),
@@ -19,6 +19,7 @@ pub(crate) const OVERLAY_TABLES: [TableKind; 10] = [
     TableKind::new(8, "pieces", 40, 0x1238b9e07efd0c1c, false),
     TableKind::new(9, "piece_entries", 4, 0x70c7e01b146476bd, false),
     TableKind::new(10, "signal_entries", 8, 0x687ebc0d11f42f17, false),
+    TableKind::new(11, "node_vehicles", 2, 0x56a52e21323ae6fc, false),
 ];
 
 /// All tables of an opened overlay; those that it does not have are empty.
@@ -44,6 +45,8 @@ pub struct OverlayTables<'a> {
     pub piece_entries: &'a [u32],
     /// Entries about signals, by signal.
     pub signal_entries: &'a [ArchivedSignalEntryRow],
+    /// By node of `nodes`: bit i says that an entry closes, opens or slows it, or a node that is cut with it, for vehicle class i. For other classes searches may take the map's own node. Empty if that is not said.
+    pub node_vehicles: &'a [u16],
 }
 
 impl<'a> OverlayTables<'a> {
@@ -59,6 +62,7 @@ impl<'a> OverlayTables<'a> {
             pieces: directory.take(&OVERLAY_TABLES[7])?,
             piece_entries: directory.take(&OVERLAY_TABLES[8])?,
             signal_entries: directory.take(&OVERLAY_TABLES[9])?,
+            node_vehicles: directory.take(&OVERLAY_TABLES[10])?,
         })
     }
 }
@@ -86,11 +90,13 @@ pub struct OverlayRows {
     pub piece_entries: Table<u32>,
     /// Entries about signals, by signal.
     pub signal_entries: Table<SignalEntryRow>,
+    /// By node of `nodes`: bit i says that an entry closes, opens or slows it, or a node that is cut with it, for vehicle class i. For other classes searches may take the map's own node. Empty if that is not said.
+    pub node_vehicles: Table<u16>,
 }
 
 impl OverlayRows {
     /// The bytes of all tables, in the order of `OVERLAY_TABLES`.
-    pub(crate) fn bytes(&self) -> [&[u8]; 10] {
+    pub(crate) fn bytes(&self) -> [&[u8]; 11] {
         [
             bytemuck::cast_slice(self.string_bytes.as_slice()),
             bytemuck::cast_slice(self.string_offsets.as_slice()),
@@ -102,6 +108,7 @@ impl OverlayRows {
             bytemuck::cast_slice(self.pieces.as_slice()),
             bytemuck::cast_slice(self.piece_entries.as_slice()),
             bytemuck::cast_slice(self.signal_entries.as_slice()),
+            bytemuck::cast_slice(self.node_vehicles.as_slice()),
         ]
     }
 }

@@ -105,6 +105,9 @@ impl<'a> View<'a> {
         out: &mut Corridor,
     ) -> Result<(), QueryError> {
         path.check(self.map)?;
+        if self.overlay.is_none() {
+            return path.corridor(from, length, step, vehicle, out);
+        }
         path.corridor_on(OverlaidGraph::new(*self, vehicle), from, length, step, vehicle, out)
     }
 
@@ -119,6 +122,9 @@ impl<'a> View<'a> {
         vehicle: VehicleClass,
         out: &mut SignalsAhead,
     ) -> Result<(), QueryError> {
+        if self.overlay.is_none() {
+            return self.map.signals_ahead(from, distance, vehicle, out);
+        }
         crate::signals::ahead(OverlaidGraph::new(*self, vehicle), from, distance, vehicle, out)
     }
 

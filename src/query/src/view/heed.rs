@@ -9,7 +9,7 @@ use mapd_archive::{ArchivedTouchedRow, NONE, VehicleClass};
 
 /// A view, for a class of vehicles.
 ///
-/// Numbers below the map's number of nodes are nodes of which the overlay says nothing; from there on they are rows of its pieces.
+/// Numbers below the map's number of nodes are nodes of which the overlay says nothing that changes the vehicle's ways; from there on they are rows of its pieces.
 #[derive(Clone, Copy)]
 pub(super) struct OverlaidGraph<'a> {
     view: View<'a>,
@@ -46,7 +46,7 @@ impl<'a> OverlaidGraph<'a> {
     /// The number by which a node of the map is entered.
     #[inline]
     fn entered(&self, node: u32) -> u32 {
-        let pieces = self.view.pieces_of(node);
+        let pieces = self.view.pieces_for(node, self.vehicle);
         if pieces.is_empty() { node } else { self.nodes + pieces.start }
     }
 
@@ -79,10 +79,9 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
     }
 
     fn at(&self, lane: &Lane<'a>, s: f64, forward: bool) -> Option<u32> {
-        match self.view.piece_at(lane, s, forward) {
-            Some(piece) => Some(self.nodes + piece),
-            None => self.view.map.at(lane, s, forward),
-        }
+        let node = self.view.map.at(lane, s, forward)?;
+        let piece = self.view.piece_among(self.view.pieces_for(node, self.vehicle), s, forward);
+        Some(piece.map_or(node, |piece| self.nodes + piece))
     }
 
     #[inline]
@@ -106,7 +105,7 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
             return enter(number - 1);
         }
         self.view.map.behind(node, |before| {
-            let pieces = self.view.pieces_of(before);
+            let pieces = self.view.pieces_for(before, self.vehicle);
             enter(if pieces.is_empty() { before } else { self.nodes + pieces.end - 1 });
         });
     }
@@ -115,7 +114,7 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
     fn beside(&self, number: u32, node: &LaneNode<'a>, left: bool) -> Option<u32> {
         // A piece has the number of its node.
         let beside = self.view.map.beside(node.number, node, left)?;
-        let pieces = self.view.pieces_of(beside);
+        let pieces = self.view.pieces_for(beside, self.vehicle);
         if pieces.is_empty() {
             return Some(beside);
         }

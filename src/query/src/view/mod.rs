@@ -114,20 +114,36 @@ impl<'a> View<'a> {
         (0..nodes.count).any(|i| is_touched(tables.touched, nodes.first.wrapping_add(i)))
     }
 
+    /// Where a node of the map is among the overlay's; none where the overlay says nothing of it.
+    #[inline]
+    fn overlaid(&self, node: u32) -> Option<(&'a OverlayTables<'a>, usize)> {
+        let tables = self.tables()?;
+        let word = tables.touched.get(node as usize / 64)?;
+        let (bit, bits) = (node % 64, word.bits());
+        if bits >> bit & 1 == 0 {
+            return None;
+        }
+        let before = (bits & ((1 << bit) - 1)).count_ones();
+        Some((tables, word.rank().wrapping_add(before) as usize))
+    }
+
     /// Rows of the pieces of a node of the map; empty where the overlay says nothing of it.
     #[inline]
     fn pieces_of(&self, node: u32) -> std::ops::Range<u32> {
-        let Some(tables) = self.tables() else { return 0..0 };
-        let Some(word) = tables.touched.get(node as usize / 64) else { return 0..0 };
-        let (bit, bits) = (node % 64, word.bits());
-        if bits >> bit & 1 == 0 {
+        let found = self.overlaid(node);
+        let row = found.and_then(|(tables, row)| Some((tables, tables.nodes.get(row)?)));
+        row.map_or(0..0, |(tables, row)| row.pieces().rows(tables.pieces.len()))
+    }
+
+    /// As [`View::pieces_of`]; empty, too, where nothing that is said changes the ways of a class of vehicles.
+    #[inline]
+    fn pieces_for(&self, node: u32, vehicle: VehicleClass) -> std::ops::Range<u32> {
+        let Some((tables, row)) = self.overlaid(node) else { return 0..0 };
+        if tables.node_vehicles.get(row).is_some_and(|classes| classes & vehicle.bit() == 0) {
             return 0..0;
         }
-        let before = (bits & ((1 << bit) - 1)).count_ones();
-        match tables.nodes.get(word.rank().wrapping_add(before) as usize) {
-            Some(row) => row.pieces().rows(tables.pieces.len()),
-            None => 0..0,
-        }
+        let row = tables.nodes.get(row);
+        row.map_or(0..0, |row| row.pieces().rows(tables.pieces.len()))
     }
 
     /// A piece as a node: with what it has at the view's moment for a class of vehicles.
@@ -181,7 +197,11 @@ impl<'a> View<'a> {
     fn piece_at(&self, lane: &Lane<'a>, s: f64, forward: bool) -> Option<u32> {
         self.tables()?;
         let node = lane.node_at(s, forward)?;
-        let pieces = self.pieces_of(node.number);
+        self.piece_among(self.pieces_of(node.number), s, forward)
+    }
+
+    /// The one of a node's pieces that holds s, as [`View::piece_at`].
+    fn piece_among(&self, pieces: std::ops::Range<u32>, s: f64, forward: bool) -> Option<u32> {
         let rows = self.tables()?.pieces.get(pieces.start as usize..pieces.end as usize)?;
         let reached = |row: &&ArchivedPieceRow| {
             if forward { s >= row.s_from() } else { s <= row.s_to() }

@@ -267,6 +267,9 @@ impl<'a> View<'a> {
         scratch: &mut RouteScratch,
         steps: &mut Vec<RouteStep>,
     ) -> Result<Option<Route>, RouteError> {
+        if self.overlay.is_none() {
+            return self.map.find_route(request, scratch, steps);
+        }
         steps.clear();
         find(OverlaidGraph::new(*self, request.vehicle), request, scratch, steps)
     }
@@ -281,10 +284,13 @@ impl<'a> View<'a> {
         scratch: &mut RouteScratch,
         out: &mut Routes,
     ) -> Result<(), RouteError> {
+        if self.overlay.is_none() {
+            return self.map.alternatives(request, options, scratch, out);
+        }
         alternatives(OverlaidGraph::new(*self, request.vehicle), request, options, scratch, out)
     }
 
-    /// As [`crate::Map::reachable`], with the overlay's current entries applied. If the overlay cuts a node, the answer lists its pieces one by one.
+    /// As [`crate::Map::reachable`], with the overlay's current entries applied. If what the overlay says of the vehicle cuts a node, the answer lists its pieces one by one.
     ///
     /// Errors: as [`crate::Map::reachable`].
     pub fn reachable(
@@ -296,6 +302,9 @@ impl<'a> View<'a> {
         scratch: &mut RouteScratch,
         out: &mut Vec<Reached>,
     ) -> Result<(), QueryError> {
+        if self.overlay.is_none() {
+            return self.map.reachable(from, limit, vehicle, cost, scratch, out);
+        }
         let starts = &[from.into()];
         let request = RouteRequest { starts, goals: &[], vehicle, cost, avoid: &[] };
         Ok(reach(OverlaidGraph::new(*self, vehicle), &request, limit, scratch, out)?)
@@ -311,6 +320,9 @@ impl<'a> View<'a> {
         scratch: &mut RouteScratch,
         out: &mut Reach,
     ) -> Result<(), RouteError> {
+        if self.overlay.is_none() {
+            return self.map.reach(request, limit, scratch, out);
+        }
         network(OverlaidGraph::new(*self, request.vehicle), request, (limit, true), scratch, out)
     }
 
@@ -324,6 +336,9 @@ impl<'a> View<'a> {
         scratch: &mut RouteScratch,
         out: &mut Reach,
     ) -> Result<(), RouteError> {
+        if self.overlay.is_none() {
+            return self.map.reach_to(request, limit, scratch, out);
+        }
         network(OverlaidGraph::new(*self, request.vehicle), request, (limit, false), scratch, out)
     }
 
