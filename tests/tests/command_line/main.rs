@@ -17,6 +17,7 @@ mod page_colors;
 mod pages;
 mod path_queries;
 mod progress;
+mod promises;
 mod readme;
 mod shell;
 mod tiles;
