@@ -1045,6 +1045,11 @@ typedef struct mapd_speed_today {
   struct mapd_restriction restriction;
   uint8_t has_max;
 } mapd_speed_today;
+typedef struct mapd_overtaking_today {
+  struct mapd_overtaking_rule map;
+  struct mapd_restriction restriction;
+  uint8_t is_forbidden;
+} mapd_overtaking_today;
 typedef struct mapd_reached_piece {
   struct mapd_lane_id lane;
   double s_from;
@@ -2058,6 +2063,12 @@ mapd_code mapd_view_speed_rule_at(const struct mapd_view *view,
                                   uint8_t vehicle,
                                   struct mapd_speed_today *out,
                                   struct mapd_error *error);
+mapd_code mapd_view_overtaking_rule_at(const struct mapd_view *view,
+                                       struct mapd_lane_id lane,
+                                       double s,
+                                       uint8_t vehicle,
+                                       struct mapd_overtaking_today *out,
+                                       struct mapd_error *error);
 mapd_code mapd_view_speed_on_path(const struct mapd_view *view,
                                   const struct mapd_path *path,
                                   double along,

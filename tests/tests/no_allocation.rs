@@ -451,6 +451,7 @@ fn questions_of(view: View<'_>) -> impl FnMut() -> [usize; 5] {
         for (from, to) in places.iter().zip(places.iter().rev()) {
             let PositionOnLane { lane, s } = *from;
             at_place += view.restrictions_at(lane, s).expect("an answer").count();
+            view.overtaking_rule_at(lane, s, car).expect("an answer");
             let permission = view.allows(lane, s, car).expect("an answer");
             let speed = view.speed_rule_at(lane, s, car).expect("an answer");
             at_place += usize::from(permission.restriction.or(speed.restriction).is_some());

@@ -3110,6 +3110,24 @@ typedef struct mapd_speed_today {
 } mapd_speed_today;
 
 /*
+ Whether a class of vehicles may overtake at a place, with what is said of it today.
+ */
+typedef struct mapd_overtaking_today {
+  /*
+   The map's signs.
+   */
+  struct mapd_overtaking_rule map;
+  /*
+   The first entry that forbids it to the class; none where none does.
+   */
+  struct mapd_restriction restriction;
+  /*
+   1: a sign or an entry forbids it to the class. Of signs, those for all count for motor vehicles, those for trucks for `MAPD_VEHICLE_CLASS_TRUCK`.
+   */
+  uint8_t is_forbidden;
+} mapd_overtaking_today;
+
+/*
  A node, or a piece of one where an overlay cuts it, that can be reached.
  */
 typedef struct mapd_reached_piece {
@@ -5766,6 +5784,18 @@ mapd_code mapd_view_speed_rule_at(const struct mapd_view *view,
                                   uint8_t vehicle,
                                   struct mapd_speed_today *out,
                                   struct mapd_error *error);
+
+/*
+ Whether a class of vehicles may overtake at s of a lane: what signs forbid, as `mapd_lane_overtaking_rule_at`, and entries.
+
+ Errors: as `mapd_view_allows`.
+ */
+mapd_code mapd_view_overtaking_rule_at(const struct mapd_view *view,
+                                       struct mapd_lane_id lane,
+                                       double s,
+                                       uint8_t vehicle,
+                                       struct mapd_overtaking_today *out,
+                                       struct mapd_error *error);
 
 /*
  The speed limit at S of a path, `along` [m], for a class of vehicles: the lowest that an entry states, else as `mapd_path_speed_at`.

@@ -7,6 +7,7 @@ use crate::lookup::{ask_lane, lane_of};
 use crate::point::{clamped_code, mapd_lane_position, mapd_point, mapd_pose, mapd_vec3};
 use crate::snapshot::mapd_snapshot;
 use mapd_client::roads::Waypoint;
+use mapd_client::rules::OvertakingRule;
 use mapd_client::{Lane, QueryError};
 
 /// Which signs forbid overtaking at a place.
@@ -17,6 +18,12 @@ pub struct mapd_overtaking_rule {
     pub all: mapd_signal_id,
     /// The sign that forbids it to trucks, if one does.
     pub trucks: mapd_signal_id,
+}
+
+impl From<OvertakingRule> for mapd_overtaking_rule {
+    fn from(rule: OvertakingRule) -> Self {
+        Self { all: rule.all.into(), trucks: rule.trucks.into() }
+    }
 }
 
 /// A lane.
@@ -349,10 +356,7 @@ pub unsafe extern "C" fn mapd_lane_overtaking_rule_at(
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
-        answer(error, || {
-            let rule = lane_of(snapshot, lane)?.overtaking_rule_at(finite(s)?);
-            put(out, mapd_overtaking_rule { all: rule.all.into(), trucks: rule.trucks.into() })
-        })
+        answer(error, || put(out, lane_of(snapshot, lane)?.overtaking_rule_at(finite(s)?).into()))
     }
 }
 

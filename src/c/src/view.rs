@@ -3,6 +3,7 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::{MAPD_NO_ROW, mapd_lane_id, mapd_signal_id};
+use crate::lane::mapd_overtaking_rule;
 use crate::list::{List, close, finite, get, get_mut, hand_out, put, put_answer, put_some};
 use crate::path::{mapd_path, path_of};
 use crate::route::{mapd_route_step, take_steps};
@@ -93,6 +94,18 @@ pub struct mapd_speed_today {
     pub restriction: mapd_restriction,
     /// 1: somebody says something.
     pub has_max: u8,
+}
+
+/// Whether a class of vehicles may overtake at a place, with what is said of it today.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_overtaking_today {
+    /// The map's signs.
+    pub map: mapd_overtaking_rule,
+    /// The first entry that forbids it to the class; none where none does.
+    pub restriction: mapd_restriction,
+    /// 1: a sign or an entry forbids it to the class. Of signs, those for all count for motor vehicles, those for trucks for `MAPD_VEHICLE_CLASS_TRUCK`.
+    pub is_forbidden: u8,
 }
 
 impl From<Restriction<'_>> for mapd_restriction {
@@ -331,6 +344,28 @@ pub unsafe extern "C" fn mapd_view_speed_rule_at(
         answer(error, || {
             let found = view_of(view)?.speed_rule_at(lane.into(), s, vehicle_of(vehicle)?)?;
             put(out, found.into())
+        })
+    }
+}
+
+/// Whether a class of vehicles may overtake at s of a lane: what signs forbid, as `mapd_lane_overtaking_rule_at`, and entries.
+///
+/// Errors: as `mapd_view_allows`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_view_overtaking_rule_at(
+    view: *const mapd_view,
+    lane: mapd_lane_id,
+    s: f64,
+    vehicle: u8,
+    out: *mut mapd_overtaking_today,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let found = view_of(view)?.overtaking_rule_at(lane.into(), s, vehicle_of(vehicle)?)?;
+            let (map, restriction) = (found.map.into(), found.restriction.into());
+            let is_forbidden = found.is_forbidden.into();
+            put(out, mapd_overtaking_today { map, restriction, is_forbidden })
         })
     }
 }

@@ -218,6 +218,7 @@ int main(int argc, char **argv) {
   mapd_view *view = NULL;
   mapd_permission permission;
   mapd_speed_today speed;
+  mapd_overtaking_today overtaking;
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_view_new(map, NAN, &view, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_view_new(map, 1e300, &view, &error));
   EXPECT(MAPD_CODE_NOT_AN_ARCHIVE, mapd_snapshot_with_overlay(map, (const uint8_t *)"no overlay", 10, &laid, &error));
@@ -227,6 +228,9 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_view_allows(view, hit.lane, NAN, 0, &permission, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_view_allows(view, hit.lane, 1.0, 200, &permission, &error));
   EXPECT(MAPD_CODE_FOREIGN_ID, mapd_view_speed_rule_at(view, wrong, 1.0, 0, &speed, &error));
+  EXPECT(MAPD_CODE_OK, mapd_view_overtaking_rule_at(view, hit.lane, 1.0, 0, &overtaking, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_view_overtaking_rule_at(view, hit.lane, NAN, 0, &overtaking, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_view_overtaking_rule_at(view, wrong, 1.0, 0, &overtaking, &error));
   mapd_view_close(&view);
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_view_allows(view, hit.lane, 1.0, 0, &permission, &error));
   EXPECT(MAPD_CODE_OK, mapd_view_new(other, 0.0, &view, &error));

@@ -35,6 +35,7 @@ fn main() -> Result<()> {
     let Arguments { source, output, time } = Arguments::parse();
     let time = time.map_or_else(|| Ok(Timestamp::now()), given)?;
     let map = open(&source)?;
+    source::say_without_overlay(&map, "mapd-foxglove");
     let recording = recording::of(map.map(), time)?;
     if !recording.has_place {
         // A closed stderr is nobody's loss.

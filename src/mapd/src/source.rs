@@ -7,9 +7,9 @@ use mapd_client::{Attach, Client, Domain, Snapshot};
 use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_from};
 use mapd_xodr::PatchError;
 use std::fs::File;
-use std::io::{Read, Seek};
+use std::io::{self, Read, Seek};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 /// Prefix of a live map's name.
 pub(crate) const SHARED: &str = "shm:";
@@ -140,5 +140,18 @@ pub fn open(
     match &compiled.rows {
         Some(rows) => Ok(Opened::Map(Snapshot::from_bytes(encode(rows, &compiled.provenance)?)?)),
         None => Ok(Opened::Rejected(Box::new(compiled))),
+    }
+}
+
+/// Says on stderr that a file without an overlay is written, if one lies over the map.
+pub fn say_without_overlay(snapshot: &Snapshot, program: &str) {
+    use std::io::Write as _;
+    let entries = snapshot.view(SystemTime::UNIX_EPOCH).entries().count();
+    if entries > 0 {
+        // A closed stderr is nobody's loss.
+        let _ = writeln!(
+            io::stderr(),
+            "{program}: {entries} entries of the overlay are left out: this format has no place for them"
+        );
     }
 }

@@ -4,7 +4,6 @@ use mapd_archive::{OpenError, OverlayRows, open_overlay, verify_overlay};
 use mapd_client::view::OverlayKind;
 use mapd_client::{Map, Snapshot};
 use mapd_overlay::{Document, DocumentError, Limits, Placements, Policy, resolve};
-use mapd_query::LaneId;
 use mapd_query::glam::{DMat3, DVec2, DVec3};
 use mapd_query::localisation::{MatchOptions, VehiclePose};
 use mapd_query::path::{Corridor, PathBuffer, PathOptions, steps_of_lanes};
@@ -15,6 +14,7 @@ use mapd_query::route::{
 use mapd_query::signals::SignalsAhead;
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
+use mapd_query::{LaneId, QueryError};
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
 use mapd_tests::maps::{Random, open_text};
 use mapd_tests::overlays::over;
@@ -296,6 +296,56 @@ fn the_lowest_speed_holds() {
         let kinds: Vec<_> = view.entries().map(|entry| entry.kind()).collect();
         assert_eq!(kinds, [OverlayKind::Speed, OverlayKind::Speed, OverlayKind::Icy]);
     });
+}
+
+/// An entry forbids overtaking to whom it is about where it holds; what signs forbid stays forbidden, to those whom they mean.
+#[test]
+fn overtaking_is_forbidden_by_entries_and_signs() {
+    let sign = |id: &str, s: f64, code: &str| {
+        format!(
+            r#"<signal s="{s}" t="-8" id="{id}" dynamic="no" orientation="+" type="{code}" subtype="-1" country="DE" zOffset="2" height="0.6" width="0.6"/>"#
+        )
+    };
+    let signs = format!("<signals>{}{}</signals>", sign("T", 70.0, "277"), sign("N", 80.0, "276"));
+    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+    let text = road("A", "", line, "", &section(0.0, "", &lane(-1, "")));
+    let snapshot = open_text(&document(&text.replace("</lanes>", &format!("</lanes>{signs}"))));
+    let map = snapshot.map();
+    let said = entries(&[
+        entry("works", r#""kind":"no-overtaking""#),
+        entry("trucks", r#""kind":"no-overtaking","vehicles":["truck"],"until":5"#)
+            .replace("[40,60]", "[10,20]"),
+        entry("wet", r#""kind":"wet""#).replace("[40,60]", "[20,30]"),
+    ]);
+    let (bytes, resolved) = over(map, &said, false);
+    assert_eq!(resolved.unplaced, []);
+    let overlay = open_overlay(&bytes).expect("opens");
+    let (lane, truck) = (lane_id(map, -1), VehicleClass::Truck);
+    let bicycle = VehicleClass::Bicycle;
+    for (overlaid, moment, s, vehicle, forbidden, by) in [
+        (true, 0.0, 50.0, CAR, true, Some("works")),
+        (false, 0.0, 50.0, CAR, false, None),
+        (true, 0.0, 35.0, CAR, false, None),
+        (true, 0.0, 25.0, CAR, false, None),
+        (true, 0.0, 15.0, CAR, false, None),
+        (true, 0.0, 15.0, truck, true, Some("trucks")),
+        (true, 5.0, 15.0, truck, false, None),
+        (true, 0.0, 75.0, CAR, false, None),
+        (true, 0.0, 75.0, truck, true, None),
+        (true, 0.0, 90.0, CAR, true, None),
+        (true, 0.0, 90.0, bicycle, false, None),
+    ] {
+        let view = View::new(map, overlaid.then_some(&overlay), at(moment)).expect("its own");
+        let today = view.overtaking_rule_at(lane, s, vehicle).expect("an answer");
+        let found = (today.is_forbidden, today.restriction.map(|one| one.entry.id()));
+        assert_eq!(found, (forbidden, by), "{} at {s}: {today:?}", vehicle.name());
+        assert_eq!(today.map, map.lane(lane).expect("a lane").overtaking_rule_at(s));
+    }
+    let view = View::new(map, Some(&overlay), at(0.0)).expect("its own");
+    let nan = view.overtaking_rule_at(lane, f64::NAN, CAR);
+    assert_eq!(nan.err(), Some(QueryError::NotFinite));
+    let foreign = view.overtaking_rule_at(lane_id(two_lanes().map(), -1), 50.0, CAR);
+    assert!(foreign.is_err());
 }
 
 /// Where nothing is laid over it, a view is the map.

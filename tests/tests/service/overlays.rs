@@ -175,6 +175,12 @@ fn it_is_shown() {
     let revision = scene.list()["revision"].as_u64();
     let said = format!("overlay: revision {}, 1 entries", revision.expect("a number"));
     assert!(run(&["status"]).contains(&said), "{}", run(&["status"]));
+    // A format without a place for it says so.
+    let mut lanelets = scene.place.command();
+    lanelets.args(["export", "shm:town", "--format", "lanelet2", "--origin", "48,11"]);
+    let output = lanelets.output().expect("ends");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && said.contains("1 entries of the overlay"), "{said}");
 }
 
 /// Whoever waits is woken by a change, and by nothing else.

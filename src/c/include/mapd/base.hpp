@@ -99,6 +99,7 @@ using Restriction = mapd_restriction;
 using PathRestriction = mapd_path_restriction;
 using Permission = mapd_permission;
 using SpeedToday = mapd_speed_today;
+using OvertakingToday = mapd_overtaking_today;
 using ReachedPiece = mapd_reached_piece;
 using ReachLink = mapd_reach_link;
 using Ground = mapd_ground;

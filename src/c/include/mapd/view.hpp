@@ -52,6 +52,11 @@ class View : public detail::Owner<mapd_view, mapd_view_close> {
     return detail::value<SpeedToday>(
         [&](auto... out) { return mapd_view_speed_rule_at(get(), place.lane, place.s, vehicle, out...); });
   }
+  /// Whether a class of vehicles may overtake at a place.
+  Result<OvertakingToday> try_overtaking_rule_at(PositionOnLane place, std::uint8_t vehicle) const {
+    return detail::value<OvertakingToday>(
+        [&](auto... out) { return mapd_view_overtaking_rule_at(get(), place.lane, place.s, vehicle, out...); });
+  }
   /// The speed limit at S of a path [m].
   Result<SpeedToday> try_speed_on_path(const Path& path, double along, std::uint8_t vehicle) const {
     return detail::value<SpeedToday>(
@@ -142,6 +147,9 @@ class View : public detail::Owner<mapd_view, mapd_view_close> {
   Permission allows(PositionOnLane place, std::uint8_t vehicle) const { return try_allows(place, vehicle).value(); }
   SpeedToday speed_rule_at(PositionOnLane place, std::uint8_t vehicle) const {
     return try_speed_rule_at(place, vehicle).value();
+  }
+  OvertakingToday overtaking_rule_at(PositionOnLane place, std::uint8_t vehicle) const {
+    return try_overtaking_rule_at(place, vehicle).value();
   }
   SpeedToday speed_on_path(const Path& path, double along, std::uint8_t vehicle) const {
     return try_speed_on_path(path, along, vehicle).value();

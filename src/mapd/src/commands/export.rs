@@ -5,7 +5,7 @@ use crate::draft;
 use crate::exit::{Exit, UsageError};
 use crate::progress::Meter;
 use crate::same_file::is_same_file;
-use crate::source::SHARED;
+use crate::source::{SHARED, say_without_overlay};
 use anyhow::{Result, bail};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -62,6 +62,9 @@ impl ExportCommand {
         let Some(snapshot) = self.opening.open_showing(&self.source, manner)? else {
             return Ok(Exit::Rejected);
         };
+        if self.format == Format::Lanelet2 {
+            say_without_overlay(&snapshot, "mapd");
+        }
         let title = title(&self.source);
         let Self { index_boxes, route, layers, origin, autoware, .. } = self;
         let options = Options { index_boxes, route, layers, origin, autoware, title };

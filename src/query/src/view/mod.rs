@@ -12,7 +12,7 @@ mod queries;
 pub use along::PathRestriction;
 pub use entry::{OverlayEntry, Restriction};
 pub use mapd_archive::{Overlay, OverlayKind};
-pub use queries::{Permission, SpeedToday};
+pub use queries::{OvertakingToday, Permission, SpeedToday};
 
 use crate::graph::{LaneNode, NodePiece};
 use crate::lane::Lane;

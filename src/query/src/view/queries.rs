@@ -10,7 +10,7 @@ use crate::route::{
     AlternativeOptions, PositionOnLane, Reach, Reached, Route, RouteCost, RouteError, RouteRequest,
     RouteScratch, RouteStep, Routes, alternatives, find, find_via, network, reach,
 };
-use crate::rules::SpeedRule;
+use crate::rules::{OvertakingRule, SpeedRule};
 use mapd_archive::{ArchivedPieceRow, Overlay, OverlayKind, VehicleClass};
 
 /// Whether a class of vehicles may use a lane at a place.
@@ -30,6 +30,17 @@ pub struct SpeedToday<'a> {
     /// What the map says.
     pub map: SpeedRule,
     /// The entry that says otherwise.
+    pub restriction: Option<Restriction<'a>>,
+}
+
+/// Whether a class of vehicles may overtake at a place, with what is said of it today.
+#[derive(Clone, Copy, Debug)]
+pub struct OvertakingToday<'a> {
+    /// Whether a sign or an entry forbids it to the class. Of signs, those for all count for motor vehicles, those for trucks for [`VehicleClass::Truck`].
+    pub is_forbidden: bool,
+    /// The map's signs.
+    pub map: OvertakingRule,
+    /// The first entry that forbids it to the class.
     pub restriction: Option<Restriction<'a>>,
 }
 
@@ -175,6 +186,32 @@ impl<'a> View<'a> {
         let mut today = SpeedToday { max: map.max, map, restriction: None };
         self.lower(&mut today, lane, self.piece_at(lane, s, lane.is_forward()), vehicle);
         today
+    }
+
+    /// Whether a class of vehicles may overtake at s: what the map's signs forbid ([`crate::Lane::overtaking_rule_at`]), and entries. What road marks forbid is with the
+    /// lane graph's lane changes.
+    ///
+    /// Errors: as [`View::restrictions_at`].
+    pub fn overtaking_rule_at(
+        &self,
+        lane: LaneId,
+        s: f64,
+        vehicle: VehicleClass,
+    ) -> Result<OvertakingToday<'a>, QueryError> {
+        let own = self.map.lane(lane)?;
+        if !s.is_finite() {
+            return Err(QueryError::NotFinite);
+        }
+        let map = own.overtaking_rule_at(s);
+        let is_motor = vehicle.bit() & VehicleClass::MOTOR != 0;
+        let by_sign = (map.all.is_some() && is_motor)
+            || (map.trucks.is_some() && vehicle == VehicleClass::Truck);
+        let forbids = |one: &Restriction<'a>| {
+            one.entry.kind() == OverlayKind::NoOvertaking && one.entry.concerns(vehicle)
+        };
+        let restriction = self.restrictions_in(&own, s).find(forbids);
+        let is_forbidden = by_sign || restriction.is_some();
+        Ok(OvertakingToday { is_forbidden, map, restriction })
     }
 
     /// Takes the lowest limit that an entry states on a piece of a lane.
