@@ -5,6 +5,10 @@ use mapd_client::{NearestOptions, Snapshot, Track};
 use std::io::Write as _;
 use std::process::ExitCode;
 
+/// What can be asked. Those by id look a lane or road up in each call, as C does; the others hold it.
+const KINDS: [&str; 6] =
+    ["nearest", "position", "position_by_id", "track", "track_by_id", "inertial"];
+
 /// Numbers between two others, the same in C: Knuth's MMIX.
 struct Random(u64);
 
@@ -26,14 +30,17 @@ fn run() -> Option<f64> {
     let road = lane.road();
     let mut sum = 0.0;
     // Looked up once: what the loop does besides its call is to be as little as in C.
-    let kind = ["nearest", "position", "track", "inertial"].iter().position(|one| *one == kind)?;
+    let kind = KINDS.iter().position(|one| *one == kind)?;
+    let (lane_id, road_id) = (lane.lane_id(), road.road_id());
     for _ in 0..count {
         let x = random.between(bounds.low.x, bounds.high.x);
         let point = DVec2::new(x, random.between(bounds.low.y, bounds.high.y));
         sum += match kind {
             0 => map.nearest_lane(point, &options).ok()?.map_or(0.0, |hit| hit.position.s),
             1 => lane.position_of(point).ok()?.offset,
-            2 => road.to_track(point).ok()?.t,
+            2 => map.lane(lane_id).ok()?.position_of(point).ok()?.offset,
+            3 => road.to_track(point).ok()?.t,
+            4 => map.road(road_id).ok()?.to_track(point).ok()?.t,
             _ => {
                 let s = random.between(0.0, road.length());
                 road.to_inertial(Track { s, t: 1.0, h: 0.0 }).ok()?.position.x

@@ -922,6 +922,10 @@ enum mapd_code
    */
   MAPD_CODE_LATE = 34,
   /*
+   This process may open no more files: close some, or raise its limit.
+   */
+  MAPD_CODE_NO_DESCRIPTORS = 35,
+  /*
    The bytes are no archive that this library reads.
    */
   MAPD_CODE_NOT_AN_ARCHIVE = 40,

@@ -32,8 +32,16 @@ class Snapshot : public Queries {
   static Result<Snapshot> try_open(const std::string& path) {
     return detail::handle<Snapshot>([&](auto... out) { return mapd_snapshot_open(path.c_str(), out...); });
   }
+  /// The same, if the file is signed with the key in the file `key` (minisign); the signature is next to the archive.
+  static Result<Snapshot> try_open_trusted(const std::string& path, const std::string& key) {
+    return detail::handle<Snapshot>(
+        [&](auto... out) { return mapd_snapshot_open_trusted(path.c_str(), key.c_str(), out...); });
+  }
 #if MAPD_EXCEPTIONS
   static Snapshot open(const std::string& path) { return try_open(path).value(); }
+  static Snapshot open_trusted(const std::string& path, const std::string& key) {
+    return try_open_trusted(path, key).value();
+  }
 #endif
 
   /// The same map under an overlay that the crate mapd-overlay encoded for it.
@@ -51,10 +59,17 @@ class Snapshot : public Queries {
     const mapd_code code = mapd_snapshot_verify(get(), &error);
     return code == MAPD_CODE_OK ? Error{} : detail::failed(code, error);
   }
+  /// Maps every page of the archive into this process now, so that no query waits for the kernel.
+  Error try_populate() const {
+    mapd_error error;
+    const mapd_code code = mapd_snapshot_populate(get(), &error);
+    return code == MAPD_CODE_OK ? Error{} : detail::failed(code, error);
+  }
 #if MAPD_EXCEPTIONS
   void verify() const {
     detail::must(try_verify());
   }
+  void populate() const { detail::must(try_populate()); }
 #endif
 
   /// The lane's stable name.
@@ -369,6 +384,10 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   Result<Snapshot> try_require(std::uint64_t generation, double wait_s) const {
     return detail::handle<Snapshot>([&](auto... out) { return mapd_client_require(get(), generation, wait_s, out...); });
   }
+  /// Number of the newest generation that this client has seen.
+  Result<std::uint64_t> try_generation() const {
+    return detail::value<std::uint64_t>([&](auto... out) { return mapd_client_generation(get(), out...); });
+  }
   /// The generation that is staged, if any.
   Result<std::optional<Generation>> try_pending() const {
     return detail::optional<Generation>([&](auto... out) { return mapd_client_pending(get(), out...); });
@@ -396,6 +415,7 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   Snapshot wait_next(double wait_s) const { return try_wait_next(wait_s).value(); }
   bool wait_change(double wait_s) const { return try_wait_change(wait_s).value(); }
   Snapshot require(std::uint64_t generation, double wait_s) const { return try_require(generation, wait_s).value(); }
+  std::uint64_t generation() const { return try_generation().value(); }
   std::optional<Generation> pending() const { return try_pending().value(); }
   std::optional<std::uint32_t> served_by() const { return try_served_by().value(); }
   void set_populate(bool populate) const { detail::must(try_set_populate(populate)); }
@@ -424,6 +444,15 @@ inline std::string_view word(std::uint32_t vocabulary, std::uint16_t code) noexc
   mapd_word(vocabulary, code, &out, nullptr);
   return view(out);
 }
+
+/// The release of the library, such as `0.1.0`.
+inline std::string_view version() noexcept { return view(mapd_version()); }
+
+/// Bits of the lane types that the lane graph opens to motor vehicles, for `NearestOptions::types`.
+inline std::uint64_t lane_types_drivable() noexcept { return mapd_lane_types_drivable(); }
+
+/// The classes that localisers use.
+inline ClassSet class_set_landmarks() noexcept { return mapd_class_set_landmarks(); }
 
 }  // namespace mapd
 

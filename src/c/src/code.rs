@@ -58,6 +58,8 @@ pub enum mapd_code {
     REFUSED = 33,
     /// The daemon did not decide in time.
     LATE = 34,
+    /// This process may open no more files: close some, or raise its limit.
+    NO_DESCRIPTORS = 35,
     /// The bytes are no archive that this library reads.
     NOT_AN_ARCHIVE = 40,
     /// The archive does not prove.
@@ -188,7 +190,10 @@ fn attach_code(error: &AttachError) -> mapd_code {
         AttachError::Busy { .. } => mapd_code::BUSY,
         AttachError::OtherContent { .. } => mapd_code::FOREIGN_ID,
         AttachError::NoRoom { .. } | AttachError::LockLimit { .. } => mapd_code::NO_ROOM,
-        AttachError::Io { .. } | AttachError::Iceoryx(_) => mapd_code::TRANSPORT,
+        AttachError::NoDescriptors { .. } => mapd_code::NO_DESCRIPTORS,
+        AttachError::Record { .. } | AttachError::Io { .. } | AttachError::Iceoryx(_) => {
+            mapd_code::TRANSPORT
+        }
         _ => mapd_code::OTHER,
     }
 }

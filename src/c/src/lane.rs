@@ -156,7 +156,9 @@ pub unsafe extern "C" fn mapd_lane_position_of(
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
-        answer(error, || ask_lane(snapshot, lane, |lane| put_answer(out, lane.position_of(point))))
+        answer(error, move || {
+            ask_lane(snapshot, lane, move |lane| put_answer(out, lane.position_of(point)))
+        })
     }
 }
 
@@ -174,7 +176,9 @@ pub unsafe extern "C" fn mapd_lane_pose_at(
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
-        answer(error, || ask_lane(snapshot, lane, |lane| put_answer(out, lane.pose_at(s, offset))))
+        answer(error, move || {
+            ask_lane(snapshot, lane, move |lane| put_answer(out, lane.pose_at(s, offset)))
+        })
     }
 }
 
@@ -189,8 +193,10 @@ pub unsafe extern "C" fn mapd_lane_pose_of_reference_line(
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
-        answer(error, || {
-            ask_lane(snapshot, lane, |lane| put_answer(out, lane.pose_of_reference_line(s, offset)))
+        answer(error, move || {
+            ask_lane(snapshot, lane, move |lane| {
+                put_answer(out, lane.pose_of_reference_line(s, offset))
+            })
         })
     }
 }
@@ -207,7 +213,9 @@ pub unsafe extern "C" fn mapd_lane_waypoint_at(
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
-        answer(error, || ask_lane(snapshot, lane, |lane| put_answer(out, lane.waypoint_at(s))))
+        answer(error, move || {
+            ask_lane(snapshot, lane, move |lane| put_answer(out, lane.waypoint_at(s)))
+        })
     }
 }
 

@@ -39,6 +39,24 @@ pub(crate) unsafe fn ask_lane(
     }
 }
 
+/// Asks a road of a snapshot where it is made, as [`ask_lane`].
+///
+/// # Safety
+///
+/// As [`map_of`].
+#[inline(always)]
+pub(crate) unsafe fn ask_road(
+    snapshot: *const mapd_snapshot,
+    road: mapd_road_id,
+    ask: impl FnOnce(&Road<'_>) -> Outcome,
+) -> Outcome {
+    // SAFETY: as promised above.
+    match unsafe { map_of(snapshot) }?.road(road.into()) {
+        Ok(ref road) => ask(road),
+        Err(error) => Err(error.into()),
+    }
+}
+
 /// A road of a snapshot.
 ///
 /// # Safety

@@ -3,7 +3,7 @@
 use crate::code::{answer, mapd_code, mapd_error};
 use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_road_id};
 use crate::list::{List, entries, fill, finite, put, put_answer, put_some};
-use crate::lookup::road_of;
+use crate::lookup::{ask_road, road_of};
 use crate::point::{mapd_point, mapd_pose, mapd_track, mapd_track_position};
 use crate::snapshot::mapd_snapshot;
 use crate::text::mapd_text;
@@ -129,7 +129,11 @@ pub unsafe extern "C" fn mapd_road_to_inertial(
     out: *mut mapd_pose,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe { answer(error, || put_answer(out, road_of(snapshot, road)?.to_inertial(track.into()))) }
+    unsafe {
+        answer(error, move || {
+            ask_road(snapshot, road, move |road| put_answer(out, road.to_inertial(track.into())))
+        })
+    }
 }
 
 /// Track position of a point: the foot on the nearest place of the whole reference line. Without z in plan view.
@@ -143,7 +147,11 @@ pub unsafe extern "C" fn mapd_road_to_track(
     out: *mut mapd_track_position,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe { answer(error, || put_answer(out, road_of(snapshot, road)?.to_track(point))) }
+    unsafe {
+        answer(error, move || {
+            ask_road(snapshot, road, move |road| put_answer(out, road.to_track(point)))
+        })
+    }
 }
 
 /// As `mapd_road_to_inertial`, of `count` track positions; `out` has room for as many.

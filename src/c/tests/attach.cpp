@@ -57,6 +57,9 @@ int main(int argc, char** argv) try {
 
   const auto client = mapd::Client::connect(name, patience);
   const auto map = client.snapshot();
+  client.set_populate(true);
+  good = good && client.generation() >= 1 && !client.pending();
+  good = good && answers(client.require(client.generation(), patience));
   const auto waiting = mapd::propose(name, "first", R"({"id":"rain","kind":"wet","lanes":[{"road":"1"}]})", patience);
   good = good && !waiting.is_accepted && waiting.needed == 2;
   const auto refused = mapd::try_propose(name, "nobody", R"({"id":"rain","kind":"wet","lanes":[{"road":"1"}]})", patience);

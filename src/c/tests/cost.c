@@ -39,7 +39,7 @@ int main(int argc, char **argv) {
   must(mapd_road_facts_of(map, lane.road, &road, &error));
   must(mapd_nearest_options_init(&options, sizeof options, &error));
   /* Looked up once: what the loop does besides its call is to be as little as in Rust. */
-  const int is_nearest = strcmp(kind, "nearest") == 0, is_position = strcmp(kind, "position") == 0, is_track = strcmp(kind, "track") == 0;
+  const int is_nearest = strcmp(kind, "nearest") == 0, is_position = strncmp(kind, "position", 8) == 0, is_track = strncmp(kind, "track", 5) == 0;
   for (long i = atol(argv[3]); i > 0; --i) {
     const double x = between(facts.low.x, facts.high.x);
     const mapd_point point = {x, between(facts.low.y, facts.high.y), 0.0, 0};

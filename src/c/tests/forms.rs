@@ -2,6 +2,8 @@
 //!
 //! Functions are found in the sources as rustfmt writes them: `pub fn` in an `impl` of a type that a library or a public module of it
 //! exports, or a free one that it exports.
+//!
+//! Every function of C has a form in C++, and a test or an example calls it; what is missing stands in a list here.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -129,6 +131,103 @@ fn header() -> BTreeSet<String> {
         .filter(|word| word.starts_with("mapd_"))
         .map(str::to_owned)
         .collect()
+}
+
+/// Functions of the C header that no header of C++ uses, and why.
+const NOT_IN_CPP: [(&str, &str); 1] = [(
+    "mapd_nearest_options_init",
+    "NearestOptions has the defaults itself, so that it is constexpr",
+)];
+
+/// Functions of the C header that no program in C or C++ calls yet, neither themselves nor by what C++ makes of them.
+const NOT_CALLED: [&str; 1] = ["mapd_junction_grid_height_at"];
+
+/// The text of files in a folder of this crate whose names end in one of these.
+fn texts(folder: &str, ends: &[&str]) -> Vec<String> {
+    let mut all = Vec::new();
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap().flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|end| ends.iter().any(|one| end == *one)) {
+                all.push(read(&path));
+            }
+        }
+    }
+    all
+}
+
+/// Headers of C++, without comments.
+fn cpp() -> Vec<String> {
+    let code = |text: String| {
+        text.lines()
+            .filter(|line| !line.trim().starts_with("//"))
+            .fold(String::new(), |all, line| all + line + "\n")
+    };
+    texts("include", &["hpp"]).into_iter().map(code).collect()
+}
+
+/// Names of C++ by whose call a function of C is called: the `try_f` in whose body it stands, and its `f`; of options the type.
+fn wrappers(headers: &[String]) -> BTreeMap<String, BTreeSet<String>> {
+    let mut all: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let mut of = "";
+    for line in headers.iter().flat_map(|text| text.lines()) {
+        let begun = line.split('(').next().unwrap_or_default();
+        let named = words(begun).last().unwrap_or_default();
+        if line.contains("struct ") || line.contains("class ") {
+            of =
+                words(line.split([':', '{']).next().unwrap_or_default()).last().unwrap_or_default();
+        } else if line.contains("inline ")
+            || (named.starts_with("try_") && line.ends_with(['{', ',']))
+        {
+            of = named.trim_start_matches("try_");
+        }
+        for name in words(line).filter(|word| word.starts_with("mapd_")) {
+            all.entry(name.to_owned()).or_default().insert(of.to_owned());
+        }
+    }
+    all
+}
+
+#[test]
+fn every_function_is_in_cpp_or_has_a_reason() {
+    let headers = cpp();
+    let used: BTreeSet<&str> = headers.iter().flat_map(|text| words(text)).collect();
+    let header = header();
+    let excused: BTreeSet<&str> = NOT_IN_CPP.iter().map(|(name, _)| *name).collect();
+    let missing: BTreeSet<&str> =
+        header.iter().map(String::as_str).filter(|name| !used.contains(name)).collect();
+    assert_eq!(missing, excused, "functions of C that C++ lacks, and those that have a reason");
+    assert!(NOT_IN_CPP.iter().all(|(_, reason)| !reason.is_empty()));
+}
+
+#[test]
+fn every_function_is_called_by_a_program() {
+    let mut programs = texts("tests", &["c", "cpp", "h", "hpp"]);
+    programs.extend(texts("../../examples/c", &["c"]));
+    programs.extend(texts("../../examples/cpp", &["cpp", "hpp"]));
+    let mut called = BTreeSet::new();
+    for text in &programs {
+        let is_named =
+            |word: &&str| word.starts_with("mapd_") || word.starts_with(char::is_uppercase);
+        called.extend(words(text).filter(is_named));
+        for (at, _) in text.match_indices('(') {
+            let before = text[..at].rsplit(|c: char| !c.is_alphanumeric() && c != '_').next();
+            called.extend(before.map(|name| name.trim_start_matches("try_")));
+        }
+    }
+    let wrappers = wrappers(&cpp());
+    let is_called = |name: &str| {
+        let by = |names: &BTreeSet<String>| names.iter().any(|name| called.contains(name.as_str()));
+        called.contains(name) || wrappers.get(name).is_some_and(by)
+    };
+    let header = header();
+    let missing: BTreeSet<&str> =
+        header.iter().map(String::as_str).filter(|name| !is_called(name)).collect();
+    let known: BTreeSet<&str> = NOT_CALLED.into_iter().collect();
+    assert_eq!(missing, known, "functions that no program calls, and those that are known");
 }
 
 #[test]

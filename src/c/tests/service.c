@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -78,6 +79,22 @@ static void nothing_is_left(void) {
   CHECK(mappings() == 0);
   CHECK(entries("/proc/self/fd") == files);
   CHECK(mallinfo2().uordblks <= heap + SLACK);
+}
+
+/* An observer takes no place of the map's, but needs a file descriptor at a time: without any the code says so, and nothing of the attempt is left. */
+static void too_few_descriptors_are_an_error(void) {
+  struct rlimit usual;
+  mapd_client *client = NULL;
+  const size_t files = entries("/proc/self/fd");
+  CHECK(getrlimit(RLIMIT_NOFILE, &usual) == 0);
+  const struct rlimit none = {0, usual.rlim_max};
+  CHECK(setrlimit(RLIMIT_NOFILE, &none) == 0);
+  const mapd_code code = mapd_client_connect(name, NULL, 0.2, &client, &error);
+  CHECK(setrlimit(RLIMIT_NOFILE, &usual) == 0);
+  CHECK(code == MAPD_CODE_NO_DESCRIPTORS && client == NULL);
+  CHECK(strstr(error.message, "file descriptors") != NULL);
+  CHECK(entries("/proc/self/fd") == files);
+  attach();
 }
 
 static void process_is_left_alone(void) {
@@ -206,6 +223,7 @@ int main(int argc, char **argv) {
   if (argc != 4) return EXIT_FAILURE;
   name = argv[1];
   process_is_left_alone();
+  too_few_descriptors_are_an_error();
   nothing_is_left();
   forks_read_and_attach();
   what_is_proposed_is_decided();

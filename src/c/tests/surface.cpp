@@ -1,12 +1,26 @@
 // The C++ interface: each call without exceptions, handles that move and copy, ids that compare and hash, errors as values. Built with and
-// without exceptions. `surface ARCHIVE OTHER_ARCHIVE`.
+// without exceptions. `surface ARCHIVE OTHER_ARCHIVE ARCHIVE_ON_EARTH`: the last is of a map with a projection.
 #include <mapd.hpp>
 
 #include <cmath>
 #include <cstdio>
+#include <type_traits>
 #include <unordered_set>
 
 namespace {
+
+// Numbers that belong together are doubles side by side: what `Eigen::Map<const Eigen::Vector3d>(&pose.position.x)` relies on.
+template <class T>
+constexpr bool is_plain = std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T> && alignof(T) == alignof(double);
+static_assert(is_plain<mapd::Vec2> && sizeof(mapd::Vec2) == 2 * sizeof(double));
+static_assert(offsetof(mapd::Vec2, x) == 0 && offsetof(mapd::Vec2, y) == sizeof(double));
+static_assert(is_plain<mapd::Vec3> && sizeof(mapd::Vec3) == 3 * sizeof(double));
+static_assert(offsetof(mapd::Vec3, x) == 0 && offsetof(mapd::Vec3, y) == sizeof(double) && offsetof(mapd::Vec3, z) == 2 * sizeof(double));
+static_assert(is_plain<mapd::Track> && sizeof(mapd::Track) == 3 * sizeof(double));
+static_assert(offsetof(mapd::Track, s) == 0 && offsetof(mapd::Track, t) == sizeof(double) && offsetof(mapd::Track, h) == 2 * sizeof(double));
+static_assert(is_plain<mapd::Pose> && std::is_same_v<decltype(mapd::Pose::position), mapd::Vec3>);
+static_assert(is_plain<mapd::Geodetic> && sizeof(mapd::Geodetic) == 3 * sizeof(double));
+static_assert(std::is_same_v<mapd::Covariance, std::array<double, 9>> && sizeof(mapd::Covariance) == 9 * sizeof(double));
 
 int failures = 0;
 
@@ -21,11 +35,12 @@ void check(bool holds, const char* what, int line) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 1;
+  if (argc != 4) return 1;
   auto opened = mapd::Snapshot::try_open(argv[1]);
   auto other = mapd::Snapshot::try_open(argv[2]);
-  CHECK(opened && other);
-  if (!opened || !other) return 1;
+  auto placed = mapd::Snapshot::try_open(argv[3]);
+  CHECK(opened && other && placed);
+  if (!opened || !other || !placed) return 1;
   const mapd::Snapshot map = *std::move(opened);
   mapd::Snapshot copy = map;
   mapd::Snapshot moved = std::move(copy);
@@ -71,7 +86,54 @@ int main(int argc, char** argv) {
   CHECK(ahead && !ahead->sequences.empty() && ahead->sequences[0][0] == lane);
   CHECK(mapd::word(MAPD_WORDS_LANE_TYPE, map.try_lane(lane)->kind) == "driving");
 
+  const mapd::NearestOptions drivable{10.0, mapd::lane_types_drivable()};
+  CHECK(drivable.types != 0 && (*map.try_nearest_lane({50.0, -1.75}, drivable))->lane == lane);
+  CHECK(!mapd::version().empty() && mapd::version().find('.') != std::string_view::npos);
+  CHECK(map.try_populate().code == MAPD_CODE_OK);
+  CHECK(mapd::Snapshot::try_open_trusted(argv[1], "/nowhere").code() == MAPD_CODE_NOT_TRUSTED);
+  const mapd::RoadId road = map.try_lane(lane)->road;
+  CHECK(*map.try_road_name_id(road) == mapd::view(map.try_road(road)->id) && *map.try_road_by_id("1") == road);
+  const mapd::ClassSet landmarks = mapd::class_set_landmarks();
+  const auto usual = other->try_landmarks_near({0.0, 0.0}, 1e6, nullptr, scratch);
+  const auto named = other->try_landmarks_near({0.0, 0.0}, 1e6, &landmarks, scratch);
+  CHECK(usual && named && !usual->empty() && usual->size() == named->size());
+  const mapd::LaneId own[] = {lane};
+  const auto steps = map.try_steps_of_lanes(own, 10.0, 40.0, scratch);
+  CHECK(steps && steps->size() == 1 && (*steps)[0].lane == lane && std::fabs(*map.try_steps_length(*steps) - 30.0) < 1e-6);
+  const auto change = map.try_next_lane_change(*steps, 0, places[0], scratch);
+  CHECK(change && !*change);
+  const auto along = map.try_signals_along(*steps, scratch);
+  CHECK(along && along->size() <= map.try_signals()->size());
+  const auto rules = map.try_right_of_way_by(lane, "DE");
+  CHECK(rules && rules->size() == map.try_right_of_way(lane)->size());
+  CHECK(*map.try_overlay_revision() == 0);
+  const auto near = map.try_quarantined_near({50.0, -1.75}, 10.0);
+  CHECK(near && near->size() <= map.try_quarantined_parts()->size());
+  const auto left_out = map.try_left_out(0, "nowhere");
+  CHECK(left_out && !*left_out);
+  CHECK(mapd::TraceOptions().size == sizeof(mapd_trace_options));
+  CHECK(mapd::AlternativeOptions().size == sizeof(mapd_alternative_options));
+  const auto projector = placed->try_projector();
+  CHECK(projector && placed->try_file_projector());
+  if (projector) {
+    const mapd::Vec3 of_map[] = {{5.0, -1.75, 0.0}, {10.0, 2.0, 1.0}};
+    mapd::Geodetic on_earth[2];
+    CHECK(projector->try_to_geodetic(of_map, on_earth).code == MAPD_CODE_OK);
+    for (int i = 0; i < 2; ++i) {
+      const auto one = projector->try_to_geodetic(of_map[i]);
+      CHECK(one && one->latitude == on_earth[i].latitude && one->longitude == on_earth[i].longitude);
+    }
+    const auto found = placed->try_nearest_lane_geodetic(*projector, on_earth[0], false);
+    const auto same = placed->try_nearest_lane({of_map[0].x, of_map[0].y});
+    CHECK(found && same && found->has_value() == same->has_value());
+    if (*found && *same) CHECK((*found)->lane == (*same)->lane);
+    const mapd::Vec3 none[] = {of_map[0], {NAN, 0.0, 0.0}};
+    CHECK(projector->try_to_geodetic(none, on_earth).code == MAPD_CODE_NOT_FINITE);
+  }
+
 #if MAPD_EXCEPTIONS
+  map.populate();
+  CHECK(map.road_name_id(road) == "1");
   CHECK(map.nearest_lane({50.0, -1.75})->lane == lane && map.key(lane) == *key);
   try {
     other->lane(lane);

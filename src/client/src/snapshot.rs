@@ -155,6 +155,7 @@ impl Snapshot {
     }
 
     /// The map.
+    #[inline]
     pub fn map(&self) -> Map<'_> {
         Map::new(&self.inner.archive, self.inner.generation)
     }

@@ -310,7 +310,7 @@ pub(crate) fn surface<'py>(
     columns(py, "CorridorSurface", all, out)
 }
 
-/// The room between left and right edges as one polygon (M, 2), and whether it is simple.
+/// The room between left and right edges (N, 2) as one polygon (M, 2) [m], and whether it is simple.
 #[pyfunction]
 pub(crate) fn outline<'py>(
     py: Python<'py>,

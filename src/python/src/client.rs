@@ -70,7 +70,10 @@ fn wait<T: Send>(
     }
 }
 
-/// A connection to one served map. Threads may share it.
+/// A connection to one served map. Threads may share it; a forked process connects again.
+///
+/// Connects in the domain of `prefix` (else of the environment variable MAPD_PREFIX) and pins the newest generation. Daemon and client may
+/// start in any order; `timeout` is in seconds. `with` closes it.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Client {
     name: String,
@@ -109,25 +112,30 @@ impl Client {
         Ok(Self { name, connection: Mutex::new(Some(Arc::new(connection))) })
     }
 
+    /// Name of the map.
     #[getter]
     fn name(&self) -> &str {
         &self.name
     }
 
+    /// Whether it was closed.
     #[getter]
     fn closed(&self) -> bool {
         self.is_closed()
     }
 
+    /// The newest generation that this client has seen. Does not look for a newer one.
     fn map(&self) -> PyResult<Map> {
         Ok(Map::new(self.connection()?.client().snapshot()))
     }
 
+    /// Looks for a newer generation without waiting and returns the newest.
     fn refresh(&self, py: Python<'_>) -> PyResult<Map> {
         let connection = self.connection()?;
         py.detach(|| connection.client().refresh()).map(Map::new).map_err(client_error)
     }
 
+    /// Waits [s] for a generation newer than the newest that this client has seen; NoGenerationError if none comes.
     #[pyo3(signature = (timeout = 5.0))]
     fn wait(&self, py: Python<'_>, timeout: f64) -> PyResult<Map> {
         let (connection, timeout) = (self.connection()?, seconds(timeout)?);
@@ -145,6 +153,7 @@ impl Client {
         })
     }
 
+    /// Waits [s] for the generation of this number; SupersededError if a newer one is served already.
     #[pyo3(signature = (generation, timeout = 5.0))]
     fn require(&self, py: Python<'_>, generation: u64, timeout: f64) -> PyResult<Map> {
         let (connection, timeout) = (self.connection()?, seconds(timeout)?);
@@ -162,6 +171,7 @@ impl Client {
         })
     }
 
+    /// Waits [s] for another generation or another overlay. Returns whether one has come; map() then returns it.
     #[pyo3(signature = (timeout = 5.0))]
     fn wait_change(&self, py: Python<'_>, timeout: f64) -> PyResult<bool> {
         let (connection, timeout) = (self.connection()?, seconds(timeout)?);
@@ -178,22 +188,26 @@ impl Client {
         Ok(changed.is_some())
     }
 
+    /// The generation that is staged and waits to be activated.
     #[getter]
     fn pending(&self) -> PyResult<Option<u64>> {
         Ok(self.connection()?.client().pending().map(|info| info.generation))
     }
 
+    /// Process id of the daemon that serves the map now; None if none does.
     #[getter]
     fn served_by(&self) -> PyResult<Option<u32>> {
         Ok(self.connection()?.client().served_by())
     }
 
+    /// Maps every page of this and later generations before they are returned.
     fn populate(&self, py: Python<'_>) -> PyResult<()> {
         let connection = self.connection()?;
         py.detach(|| connection.client().set_populate(true));
         Ok(())
     }
 
+    /// Follows the map from now on.
     fn events(&self) -> PyResult<Events> {
         let connection = self.connection()?;
         // SAFETY: the client lies in the connection's heap block, which is shared and never moves. `Followed` keeps the connection
@@ -204,6 +218,7 @@ impl Client {
         Ok(Events { followed: Mutex::new(followed) })
     }
 
+    /// Closes the connection. Maps stay readable.
     fn close(&self) {
         drop(self.connection.lock().unwrap_or_else(PoisonError::into_inner).take());
     }
@@ -246,6 +261,7 @@ pub(crate) struct Events {
 
 #[pymethods]
 impl Events {
+    /// The next event; None if there is none within the timeout [s].
     #[pyo3(signature = (timeout = 5.0))]
     fn wait<'py>(&self, py: Python<'py>, timeout: f64) -> PyResult<Option<Bound<'py, PyAny>>> {
         let timeout = seconds(timeout)?;

@@ -23,7 +23,7 @@ fn folder(path: &Path) -> Option<PathBuf> {
     Some(if parent.as_os_str().is_empty() { PathBuf::from(".") } else { parent.to_owned() })
 }
 
-/// Compiles a file, or only checks it: a map, if one was built, and a report.
+/// Compiles a file, or only checks it: a map, if one was built, and a report; what `mapd.compile` and `mapd.check` call.
 #[pyfunction]
 #[pyo3(signature = (path, *, build, profile, on_error, index_tolerance, bound_tolerance, lane_reach, landmarks, threads))]
 #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]

@@ -13,7 +13,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
-/// A lane of a section.
+/// A lane. Left, right and ahead are those of its traffic. Equal lanes are those of one content.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Lane {
     held: Arc<Held>,
@@ -53,97 +53,117 @@ fn flat(line: Polyline<'_>) -> Vec<f64> {
 
 #[pymethods]
 impl Lane {
+    /// What columns name it by; bound to the map's content. What may be stored is the key.
     #[getter]
     pub(crate) fn id(&self) -> u64 {
         id(content(self.held.map()), self.row)
     }
 
+    /// Stable name, road:section:lane.
     #[getter]
     fn key(&self) -> PyResult<String> {
         Ok(self.lane()?.key().to_string())
     }
 
+    /// OpenDRIVE's number: positive left of lane 0.
     #[getter]
     fn number(&self) -> PyResult<i32> {
         Ok(self.lane()?.number())
     }
 
+    /// Lane type in the words of OpenDRIVE.
     #[getter]
     fn kind(&self) -> PyResult<&'static str> {
         Ok(self.lane()?.kind().name())
     }
 
+    /// Its road.
     #[getter]
     fn road(&self) -> PyResult<Road> {
         Ok(Road::new(&self.held, self.lane()?.road().road_id().row()))
     }
 
+    /// Number of its section in the road, from 0.
     #[getter]
     fn section(&self) -> PyResult<u32> {
         Ok(self.lane()?.section().number())
     }
 
+    /// Both ends of its section on the road [m].
     #[getter]
     fn s_range(&self) -> PyResult<(f64, f64)> {
         let section = self.lane()?.section();
         Ok((section.s_start(), section.s_end()))
     }
 
+    /// Of the centre line in plan view [m].
     #[getter]
     fn length(&self) -> PyResult<f64> {
         let (from, to) = self.s_range()?;
         Ok(self.lane()?.length_between(from, to))
     }
 
+    /// Whether its traffic goes towards +s.
     #[getter]
     fn is_forward(&self) -> PyResult<bool> {
         Ok(self.lane()?.is_forward())
     }
 
+    /// Whether it may be travelled both ways.
     #[getter]
     fn is_bidirectional(&self) -> PyResult<bool> {
         Ok(self.lane()?.is_bidirectional())
     }
 
+    /// Lanes entered from this one.
     fn successors(&self) -> PyResult<Vec<Self>> {
         Ok(self.others(self.lane()?.successors()))
     }
 
+    /// Lanes from which this one is entered.
     fn predecessors(&self) -> PyResult<Vec<Self>> {
         Ok(self.others(self.lane()?.predecessors()))
     }
 
+    /// The next lane to the left, whichever way it is travelled.
     fn left(&self) -> PyResult<Option<Self>> {
         Ok(self.other(self.lane()?.left()))
     }
 
+    /// The next lane to the right, whichever way it is travelled.
     fn right(&self) -> PyResult<Option<Self>> {
         Ok(self.other(self.lane()?.right()))
     }
 
+    /// The nearest lane beside it that is travelled the other way.
     fn opposite(&self) -> PyResult<Option<Self>> {
         Ok(self.other(self.lane()?.opposite()))
     }
 
+    /// Width at s [m].
     fn width_at(&self, s: f64) -> PyResult<f64> {
         Ok(self.lane()?.width_at(s))
     }
 
+    /// Speed limit at s, signs included, and who says so.
     fn speed_rule_at<'py>(&self, py: Python<'py>, s: f64) -> PyResult<Bound<'py, PyAny>> {
         let rule = self.lane()?.speed_rule_at(crate::input::finite(s).map_err(query)?);
         speed_rule(py, &self.held, &rule)
     }
 
+    /// Whether a class of vehicles may use it at s.
     #[pyo3(signature = (s, vehicle = "passengerCar"))]
     fn allows_at(&self, s: f64, vehicle: &str) -> PyResult<bool> {
         Ok(self.lane()?.allows_at(s, vehicle_of(vehicle)?))
     }
 
+    /// Pose at s [m] as its traffic has it, `offset` [m] to the left of its centre.
     #[pyo3(signature = (s, offset = 0.0))]
     fn pose_at<'py>(&self, py: Python<'py>, s: f64, offset: f64) -> PyResult<Bound<'py, PyAny>> {
         pose(py, &self.lane()?.pose_at(s, offset).map_err(query)?)
     }
 
+    /// A point in its coordinates.
     fn position_of<'py>(
         &self,
         py: Python<'py>,
@@ -165,18 +185,22 @@ impl Lane {
         result(py, "LanePosition", &fields)
     }
 
+    /// Centre line (M, 3) in ascending s [m].
     fn center_line<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.line(py, |lane| flat(lane.center_line()))
     }
 
+    /// Left border (M, 3) in ascending s [m].
     fn left_bound<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.line(py, |lane| flat(lane.left_bound()))
     }
 
+    /// Right border (M, 3) in ascending s [m].
     fn right_bound<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.line(py, |lane| flat(lane.right_bound()))
     }
 
+    /// Places on the centre line in driving direction, `step` [m] of s apart.
     fn waypoints<'py>(&self, py: Python<'py>, step: f64) -> PyResult<Bound<'py, PyAny>> {
         let mut numbers: [Vec<f64>; 6] = Default::default();
         for waypoint in self.lane()?.waypoints(step).map_err(query)? {

@@ -25,7 +25,7 @@ use pyo3::types::PyBytes;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// One generation of a map, pinned. Immutable; threads share it.
+/// One generation of a map, pinned: immutable, shared by threads, readable as long as it or anything that came from it lives.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Map(Arc<Held>);
 
@@ -59,7 +59,7 @@ impl Map {
     }
 }
 
-/// Opens an archive in place.
+/// Opens an archive in place; what `mapd.open` calls.
 #[pyfunction]
 pub(crate) fn open_archive(py: Python<'_>, path: PathBuf) -> PyResult<Map> {
     let snapshot = py.detach(|| Snapshot::open(&path)).map_err(client)?;
@@ -90,87 +90,105 @@ fn headings(heading: Option<&Bound<'_, PyAny>>, rows: usize) -> PyResult<Option<
 
 #[pymethods]
 impl Map {
+    /// Number of the generation; 0 for a file.
     #[getter]
     fn generation(&self) -> u64 {
         self.map().generation()
     }
 
+    /// Name in the file's header.
     #[getter]
     fn name(&self) -> &str {
         self.map().name()
     }
 
+    /// BLAKE3 of the archive's body.
     #[getter]
     fn content_hash<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         PyBytes::new(py, &self.map().content_hash())
     }
 
+    /// BLAKE3 of the OpenDRIVE file that it was compiled from.
     #[getter]
     fn source_hash<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         PyBytes::new(py, &self.map().source_hash())
     }
 
+    /// OpenDRIVE's version: revMajor, revMinor.
     #[getter]
     fn revision(&self) -> (u16, u16) {
         let Revision { major, minor } = self.map().revision();
         (major, minor)
     }
 
+    /// Smallest and largest x, y, z of all lanes [m].
     #[getter]
     fn bounds(&self) -> ((f64, f64, f64), (f64, f64, f64)) {
         let Bounds { low, high } = self.map().bounds();
         (triple(low), triple(high))
     }
 
+    /// Sum of the roads' lengths [m].
     #[getter]
     fn road_length(&self) -> f64 {
         self.map().road_length()
     }
 
+    /// The georeference as written.
     #[getter]
     fn geo_reference(&self) -> &str {
         self.map().geo_reference()
     }
 
+    /// The georeference as PROJ parameters; empty if there is none that can be used.
     #[getter]
     fn projection(&self) -> &str {
         self.map().projection()
     }
 
+    /// Verifies the whole archive, its content hash included; linear in its size.
     fn verify(&self, py: Python<'_>) -> PyResult<()> {
         py.detach(|| self.0.snapshot().verify()).map_err(client)
     }
 
+    /// Maps every page of the archive into this process now.
     fn populate(&self, py: Python<'_>) {
         py.detach(|| self.0.snapshot().populate());
     }
 
+    /// All lanes, lane 0 of each section left out.
     fn lanes(&self) -> Vec<Lane> {
         self.map().lanes().map(|lane| Lane::new(&self.0, lane.lane_id().row())).collect()
     }
 
+    /// All roads in file order.
     fn roads(&self) -> Vec<Road> {
         self.map().roads().map(|road| Road::new(&self.0, road.road_id().row())).collect()
     }
 
+    /// All signals.
     fn signals(&self) -> Vec<Signal> {
         self.map().signals().map(|signal| Signal::new(&self.0, signal.signal_id())).collect()
     }
 
+    /// All objects.
     fn objects(&self) -> Vec<Object> {
         self.map().objects().map(|object| Object::new(&self.0, object.object_id())).collect()
     }
 
+    /// The lane of a key such as "12:0:-1", or of an id.
     fn lane(&self, lane: &Bound<'_, PyAny>) -> PyResult<Lane> {
         Ok(Lane::new(&self.0, lane_of(self.map(), lane)?.lane_id().row()))
     }
 
+    /// The road with OpenDRIVE's id.
     fn road(&self, id: &str) -> PyResult<Road> {
         let road = self.map().road_by_id(id);
         road.map(|road| Road::new(&self.0, road.road_id().row()))
             .ok_or_else(|| raise("NoSuchPartError", format!("the map has no road {id:?}")))
     }
 
+    /// The signal with OpenDRIVE's id.
     fn signal(&self, id: &str) -> PyResult<Signal> {
         let signal = self.map().signal_by_id(id);
         signal
@@ -178,6 +196,7 @@ impl Map {
             .ok_or_else(|| raise("NoSuchPartError", format!("the map has no signal {id:?}")))
     }
 
+    /// The object with OpenDRIVE's id.
     fn object(&self, id: &str) -> PyResult<Object> {
         let object = self.map().object_by_id(id);
         object
@@ -185,6 +204,10 @@ impl Map {
             .ok_or_else(|| raise("NoSuchPartError", format!("the map has no object {id:?}")))
     }
 
+    /// The lane whose area is nearest in plan view, at most `radius` [m] away; of several, by heading difference, height, offset.
+    ///
+    /// `types` are the lane types that count ("drivable", or OpenDRIVE's names). `z_tolerance` [m] tells levels apart and needs points
+    /// with z; `heading` [rad] of travel breaks ties, and excludes lanes by `heading_tolerance` [rad].
     #[pyo3(signature = (points, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
         heading_tolerance = None, out = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -217,6 +240,7 @@ impl Map {
         columns(py, "NearestLanes", found.columns(), out).map(Some)
     }
 
+    /// Every lane within `radius` [m], nearest first; options as of nearest_lane.
     #[pyo3(signature = (points, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
         heading_tolerance = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -262,6 +286,7 @@ impl Map {
         columns(py, "LanesNear", all, None)
     }
 
+    /// Each point in the coordinates of its lane.
     #[pyo3(signature = (lanes, points, *, out = None))]
     fn position_of<'py>(
         &self,
@@ -286,6 +311,7 @@ impl Map {
         columns(py, "NearestLanes", found.columns(), out)
     }
 
+    /// Poses on lanes as their traffic has them, at s [m], `offset` [m] to the left of the lane's centre.
     #[pyo3(signature = (lanes, s, offset = None, *, out = None))]
     fn pose_at<'py>(
         &self,
@@ -313,6 +339,7 @@ impl Map {
         columns(py, "Poses", found.columns(), out)
     }
 
+    /// Speed limits on lanes at s [m], signs included.
     #[pyo3(signature = (lanes, s, *, out = None))]
     fn speed_rule_at<'py>(
         &self,
@@ -335,6 +362,9 @@ impl Map {
         columns(py, "SpeedRules", found.columns(), out)
     }
 
+    /// The surface below points [m], on the level whose height is nearest to z; on the lowest one of points without z.
+    ///
+    /// Heights more than 2 m apart are levels of their own. Nothing beside all lanes.
     #[pyo3(signature = (points, *, out = None))]
     fn ground_at<'py>(
         &self,
@@ -345,6 +375,9 @@ impl Map {
         crate::ground::ground_at(py, &self.0, points, out)
     }
 
+    /// The nearest road mark on its exact course, at most `radius` [m] away; lines count along their whole length, gaps included.
+    ///
+    /// `kinds` are the kinds that count, `types` the types of the lanes beside them.
     #[pyo3(signature = (points, *, radius = 5.0, kinds = None, types = None, out = None))]
     fn nearest_mark<'py>(
         &self,
@@ -359,6 +392,11 @@ impl Map {
         crate::ground::nearest_mark(py, &self.0, points, &filter, out)
     }
 
+    /// The lanes that vehicles may be in, and the probability that they are in none (docs/localisation.md).
+    ///
+    /// `heading` [rad]; `covariance` of (x, y, heading) [m^2, m rad, rad^2], one (3, 3) for all or (N, 3, 3). `drive_deviation` [rad] is
+    /// how drivers deviate from their lane's direction, `none` the prior of no lane; `closed` and `unexpected` are the shares of the
+    /// prior that lanes have which `vehicle` may not use, and which are not among `expected`.
     #[pyo3(signature = (points, heading, covariance, *, types = None, z_tolerance = None,
         drive_deviation = 0.1, none = 0.01, vehicle = None, closed = 0.05, expected = None, unexpected = 0.05))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -394,6 +432,10 @@ impl Map {
         })
     }
 
+    /// The most probable way through a trace, a place for each fix.
+    ///
+    /// `time` [s] does not fall; `heading` [rad] is NaN where it is not known; `deviation` [m] is that of x and y, `heading_deviation` [rad] that of headings, `change_interval` [s]
+    /// the mean time between changes of lane.
     #[pyo3(signature = (time, points, *, heading = None, deviation = 1.0, heading_deviation = 0.1,
         change_interval = 30.0, vehicle = "passengerCar", types = None, out = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -420,6 +462,7 @@ impl Map {
         crate::matching::match_trace(py, &self.0, time, points, heading, &options, out)
     }
 
+    /// Lanes whose area meets a rectangle (x_min, y_min, x_max, y_max) [m].
     #[pyo3(signature = (region, *, types = None))]
     fn lanes_in(&self, region: [f64; 4], types: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<Lane>> {
         let types = types.map_or(Ok(LaneTypes::ALL), types_of)?;
@@ -428,6 +471,7 @@ impl Map {
         Ok(found.iter().map(|id| Lane::new(&self.0, id.row())).collect())
     }
 
+    /// Signals within a radius [m] with their distances [m], nearest first.
     fn signals_near(&self, point: (f64, f64), radius: f64) -> PyResult<Vec<(Signal, f64)>> {
         let mut found = Vec::new();
         let point = DVec2::new(point.0, point.1);
@@ -435,6 +479,7 @@ impl Map {
         Ok(found.iter().map(|near| (Signal::new(&self.0, near.signal), near.distance)).collect())
     }
 
+    /// Objects whose area comes within a radius [m], with their distances [m], nearest first; once for each of their places.
     fn objects_near(&self, point: (f64, f64), radius: f64) -> PyResult<Vec<(Object, f64)>> {
         let mut found = Vec::new();
         let point = DVec2::new(point.0, point.1);
@@ -444,6 +489,7 @@ impl Map {
         Ok(found.iter().map(|near| (object(near), near.distance)).collect())
     }
 
+    /// Centre lines, or left or right bounds, of all lanes, or of those in a rectangle, decoded at once.
     #[pyo3(signature = (region = None, *, types = None, which = "center"))]
     fn lines<'py>(
         &self,
@@ -456,6 +502,7 @@ impl Map {
         lane::lines(py, &self.0, region.map(region_of), types, lane::Line::named(which)?)
     }
 
+    /// Latitude and longitude [deg] and altitude [m] on WGS 84.
     fn to_geodetic<'py>(
         &self,
         py: Python<'py>,
@@ -471,6 +518,7 @@ impl Map {
         converted(py, points, "points", "Geodetics", ask)
     }
 
+    /// Inertial points [m] of latitude, longitude [deg] and, if given, altitude [m] on WGS 84.
     #[expect(clippy::wrong_self_convention, reason = "as the projector's, which it stands for")]
     fn from_geodetic<'py>(
         &self,
@@ -488,6 +536,10 @@ impl Map {
         converted(py, places, "places", "Inertials", ask)
     }
 
+    /// The cheapest way in driving direction, by allowed changes of lane only; None if there is none.
+    ///
+    /// A place is (lane, s) or what nearest_lane found. `lane_change` is what a change costs: default 20 m, or 2 s by time. `factors`
+    /// multiply the cost of each lane, by its row (mapd.raw.rows): infinity closes it; lanes beyond their end have the factor 1.
     #[pyo3(signature = (start, goal, *, via = None, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn route<'py>(
@@ -507,6 +559,9 @@ impl Map {
         crate::route::route(py, &self.0, &places, vehicle, cost)
     }
 
+    /// The cheapest way from any of some starts to any of some goals, which may be `RouteEnd`; lanes to avoid are not entered.
+    ///
+    /// `turns` are what turns to the left, to the right and back at junctions cost beside the way, in its unit; other options are those of route.
     #[pyo3(signature = (starts, goals, *, avoid = None, vehicle = "passengerCar", by = "length", lane_change = None,
         factors = None, turns = [0.0; 3]))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -531,6 +586,7 @@ impl Map {
         })
     }
 
+    /// The cheapest way and alternatives to it, cheapest first: `count` at most, each on other roads for a `share` of its length, none `longest` times as expensive.
     #[pyo3(signature = (starts, goals, *, count = 3, share = 0.3, longest = 1.5, avoid = None,
         vehicle = "passengerCar", by = "length", lane_change = None, factors = None, turns = [0.0; 3]))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -559,6 +615,7 @@ impl Map {
         })
     }
 
+    /// The network that can be reached from starts within a limit [m, or s by time], or from which goals can be, with the ways on.
     #[pyo3(signature = (limit, *, starts = None, goals = None, avoid = None, vehicle = "passengerCar", by = "length",
         lane_change = None, factors = None, turns = [0.0; 3]))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -593,6 +650,10 @@ impl Map {
         })
     }
 
+    /// A route, or steps made by hand, as one line; PathError names the step that does not follow.
+    ///
+    /// `change_length` [m] makes each change of lane a smooth curve of that length where there is room; else the line jumps. Joints with a larger gap than `broken_gap` [m]
+    /// or kink than `broken_kink` [rad] are broken.
     #[pyo3(signature = (steps, *, change_length = None, broken_gap = 0.1, broken_kink = 0.3))]
     fn path(
         &self,
@@ -605,16 +666,19 @@ impl Map {
         crate::path::path(&self.0, steps, &PathOptions { broken_gap, broken_kink, change })
     }
 
+    /// The map under what is laid over it, at a moment: seconds since 1970 in UTC [s], a datetime, or now.
     #[pyo3(signature = (at = None))]
     fn view(&self, at: Option<&Bound<'_, PyAny>>) -> PyResult<crate::view::View> {
         crate::view::view(&self.0, at)
     }
 
+    /// Revision of what is laid over it, which rises with each change; 0 where nothing is.
     #[getter]
     fn overlay_revision(&self) -> u64 {
         self.0.snapshot().overlay_revision()
     }
 
+    /// The same map under an overlay that mapd encoded for it. What a client attaches to is under the daemon's without this.
     fn with_overlay(&self, py: Python<'_>, overlay: Vec<u8>) -> PyResult<Self> {
         let under = py.detach(|| {
             let mut bytes = AlignedBytes::with_capacity(overlay.len());
@@ -624,6 +688,7 @@ impl Map {
         Ok(Self::of(Arc::new(Held::new(under.map_err(client)?))))
     }
 
+    /// The lanes on which traffic comes to a conflict of a path, back to a distance [m], nearest first; the other lane itself comes first.
     #[pyo3(signature = (conflict, distance, *, vehicle = "passengerCar"))]
     fn approaches<'py>(
         &self,
@@ -635,6 +700,7 @@ impl Map {
         crate::along::approaches(py, &self.0, conflict, distance, vehicle_of(vehicle)?)
     }
 
+    /// Signals and objects that localisers find again, within a radius [m], nearest first.
     fn landmarks_near<'py>(
         &self,
         py: Python<'py>,
@@ -644,6 +710,9 @@ impl Map {
         crate::sensing::landmarks_near(py, &self.0, point, radius)
     }
 
+    /// What a sensor at a point that looks along `heading` [rad] sees of them: up to `range` [m], half of `field_of_view` [rad] to either side, nearest first.
+    ///
+    /// Signals are seen from the front only, and nothing hides anything.
     fn landmarks_in_view<'py>(
         &self,
         py: Python<'py>,
@@ -657,6 +726,7 @@ impl Map {
         crate::sensing::landmarks_in_view(py, &self.0, &sensor)
     }
 
+    /// Painted places of road marks in a rectangle, at every multiple of `spacing` [m] of their road's s; gaps have none.
     #[pyo3(signature = (region, spacing, *, kinds = None, types = None))]
     fn mark_points<'py>(
         &self,
@@ -670,6 +740,9 @@ impl Map {
         crate::sensing::mark_points(py, &self.0, region_of(region), spacing, &filter)
     }
 
+    /// How vehicles stand on the ground below their wheels: places (4, 2) ahead of and to the left of the reference point [m]. `heading` [rad]; z [m] tells levels apart.
+    ///
+    /// Nothing with ground below fewer than three wheels.
     #[pyo3(signature = (points, heading, wheels, *, out = None))]
     fn stance<'py>(
         &self,
@@ -682,6 +755,7 @@ impl Map {
         crate::sensing::stance(py, &self.0, points, heading, wheels, out)
     }
 
+    /// Pieces of lanes whose beginning can be reached within a limit [m, or s by time], nearest first.
     #[pyo3(signature = (start, limit, *, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn reachable<'py>(
@@ -698,6 +772,7 @@ impl Map {
         crate::route::reachable(py, &self.0, start, limit, vehicle, &cost, false)
     }
 
+    /// Pieces of lanes from whose beginning a place can be reached within a limit [m, or s by time], nearest first.
     #[pyo3(signature = (goal, limit, *, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn reachable_to<'py>(
@@ -714,6 +789,7 @@ impl Map {
         crate::route::reachable(py, &self.0, goal, limit, vehicle, &cost, true)
     }
 
+    /// All sequences of lanes that one can follow without a change of lane, until each is `distance` [m] long; at most 1,024.
     #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]
     fn lane_sequences_ahead<'py>(
         &self,
@@ -725,6 +801,7 @@ impl Map {
         crate::route::sequences(py, &self.0, start, distance, vehicle)
     }
 
+    /// Signals for traffic that goes on without a change of lane, up to a distance [m].
     #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]
     fn signals_ahead<'py>(
         &self,

@@ -9,7 +9,7 @@ use mapd_client::ObjectId;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
-/// An object: a pole, a barrier, a building, a parking space.
+/// A pole, a barrier, a building, a parking space.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Object {
     held: Arc<Held>,
@@ -32,63 +32,75 @@ impl Object {
 
 #[pymethods]
 impl Object {
+    /// OpenDRIVE's id.
     #[getter]
     fn id(&self) -> PyResult<&str> {
         Ok(self.object()?.id())
     }
 
+    /// OpenDRIVE's name.
     #[getter]
     fn name(&self) -> PyResult<&str> {
         Ok(self.object()?.name())
     }
 
+    /// Its class in mapd's vocabulary (docs/ontology.md).
     #[getter]
     fn meaning(&self) -> PyResult<&'static str> {
         Ok(self.object()?.class().name())
     }
 
+    /// Type as written.
     #[getter]
     fn kind(&self) -> PyResult<&str> {
         Ok(self.object()?.type_name())
     }
 
+    /// Its origin [m].
     #[getter]
     fn position(&self) -> PyResult<(f64, f64, f64)> {
         Ok(triple(self.object()?.position()))
     }
 
+    /// Of its u axis [rad].
     #[getter]
     fn heading(&self) -> PyResult<f64> {
         Ok(self.object()?.heading())
     }
 
+    /// Length, width and height [m]; 0 where not given.
     #[getter]
     fn size(&self) -> PyResult<(f64, f64, f64)> {
         let object = self.object()?;
         Ok((object.length(), object.width(), object.height()))
     }
 
+    /// Of a round object [m]; else 0.
     #[getter]
     fn radius(&self) -> PyResult<f64> {
         Ok(self.object()?.radius())
     }
 
+    /// Whether it moves.
     #[getter]
     fn is_dynamic(&self) -> PyResult<bool> {
         Ok(self.object()?.is_dynamic())
     }
 
+    /// The road that it is written in.
     #[getter]
     fn road(&self) -> PyResult<Option<Road>> {
         Ok(self.object()?.road().map(|road| Road::new(&self.held, road.road_id().row())))
     }
 
+    /// s and t as written [m].
     #[getter]
     fn track(&self) -> PyResult<(f64, f64)> {
         let object = self.object()?;
         Ok((object.s(), object.t()))
     }
 
+    /// Corners (M, 3) of what it covers [m].
     fn footprint<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mut corners = Vec::new();
         self.object()?.footprint(&mut corners);

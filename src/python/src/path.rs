@@ -12,7 +12,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
-/// A route as one line that can be asked. Immutable; threads share it.
+/// A route as one line. S counts the metres driven along centre lines; left and right are the driver's.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Path {
     held: Arc<Held>,
@@ -128,25 +128,30 @@ impl<const N: usize> Found<N> {
 
 #[pymethods]
 impl Path {
+    /// The largest S [m].
     #[getter]
     fn length(&self) -> PyResult<f64> {
         Ok(self.path().map_err(query)?.length())
     }
 
+    /// Whether there is a gap of more than 0.1 m or a kink of more than 0.3 rad.
     #[getter]
     fn is_broken(&self) -> PyResult<bool> {
         Ok(self.path().map_err(query)?.is_broken())
     }
 
+    /// The lanes that are driven on.
     fn lanes(&self) -> PyResult<Vec<Lane>> {
         Ok(self.path().map_err(query)?.lanes().map(|own| self.lane(own.lane)).collect())
     }
 
+    /// S of a place on one of its lanes [m]; None for one that it does not pass.
     fn along_of(&self, place: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
         let PositionOnLane { lane, s } = crate::input::place_of(self.held.map(), place)?;
         Ok(self.path().map_err(query)?.along_of(lane, s))
     }
 
+    /// Places at S [m]; S outside is moved to the nearer end and flagged.
     #[pyo3(signature = (along, *, out = None))]
     fn at<'py>(
         &self,
@@ -191,6 +196,7 @@ impl Path {
         columns(py, "PathPoints", found.columns(), out)
     }
 
+    /// Points in the path's coordinates. `hint` is an S [m] near which to look first.
     #[pyo3(signature = (points, *, hint = None, out = None))]
     fn project<'py>(
         &self,
@@ -228,6 +234,7 @@ impl Path {
         columns(py, "PathPositions", found.columns(), out)
     }
 
+    /// Speed limits at S [m]; in a junction those that come in on the path.
     #[pyo3(signature = (along, *, out = None))]
     fn speed_at<'py>(
         &self,
@@ -252,6 +259,7 @@ impl Path {
         columns(py, "SpeedRules", found.columns(), out)
     }
 
+    /// The room along the path, a station every `step` [m] from `start` [m] on, `length` [m] far.
     #[pyo3(signature = (step = 1.0, *, start = 0.0, length = None, vehicle = "passengerCar", out = None))]
     fn corridor<'py>(
         &self,
@@ -274,6 +282,7 @@ impl Path {
         crate::along::room(py, &self.held, &found, out)
     }
 
+    /// The road's surface at the stations that corridor has for the same numbers [m].
     #[pyo3(signature = (step = 1.0, *, start = 0.0, length = None, out = None))]
     fn corridor_surface<'py>(
         &self,
@@ -288,28 +297,34 @@ impl Path {
         crate::along::surface(py, &path, [start, length, step], out)
     }
 
+    /// What it comes by, in ascending S: junctions, signals, lines, types of roads and lanes, bridges, tunnels, holes of the map.
     fn facts<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         crate::along::facts(py, &self.held, &self.path().map_err(query)?)
     }
 
+    /// The speed limits along it, in ascending S without gaps.
     fn speeds<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         crate::along::speeds(py, &self.held, &self.path().map_err(query)?)
     }
 
+    /// From which lanes its goal is reached along the same roads, and until where a change of lane may wait.
     #[pyo3(signature = (*, vehicle = "passengerCar"))]
     fn segments<'py>(&self, py: Python<'py>, vehicle: &str) -> PyResult<Bound<'py, PyAny>> {
         let path = self.path().map_err(query)?;
         crate::along::segments(py, &self.held, &path, vehicle_of(vehicle)?)
     }
 
+    /// Crosswalks and bicycle crossings over it, in ascending S.
     fn crossings<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         crate::along::crossings(py, &self.held, &self.path().map_err(query)?)
     }
 
+    /// Gaps, overlaps and kinks, and changes of lane, in ascending S.
     fn joints<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         crate::along::joints(py, &self.path().map_err(query)?)
     }
 
+    /// The part of its steps from one S to another [m], for a path over that part.
     fn steps_between<'py>(
         &self,
         py: Python<'py>,
@@ -320,6 +335,7 @@ impl Path {
         crate::along::steps_between(py, &self.held, &path, &self.steps, [start, end])
     }
 
+    /// Its way on another map, such as the next version of its own, and what has changed.
     #[pyo3(signature = (map, *, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
     fn rebase<'py>(
         &self,
@@ -335,6 +351,7 @@ impl Path {
         crate::along::rebase(py, &path, map.get().held(), vehicle_of(vehicle)?, &cost)
     }
 
+    /// Where other traffic meets it, in ascending S.
     fn conflicts<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let mut found = Vec::new();
         self.path().map_err(query)?.conflicts(&mut found);

@@ -9,7 +9,11 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// Proposes an entry of an overlay to the daemon that serves a map, and waits for its decision.
+/// Proposes an entry of an overlay to the daemon that serves a map, and waits for its decision (docs/overlay.md).
+///
+/// `source` is what this process calls itself: the daemon's policy names it. `entry` is JSON, or what becomes JSON, by
+/// schemas/overlay.schema.json; one of the same id is replaced, and so goes on to hold. A refusal raises
+/// `ProposalRefusedError`, with the daemon's reason.
 #[pyfunction]
 #[pyo3(signature = (map, source, entry, *, timeout = 1.0, prefix = None))]
 pub(crate) fn propose<'py>(

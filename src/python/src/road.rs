@@ -36,31 +36,37 @@ fn track(row: &[f64]) -> Track {
 
 #[pymethods]
 impl Road {
+    /// OpenDRIVE's id.
     #[getter]
     fn id(&self) -> PyResult<&str> {
         Ok(self.road()?.id())
     }
 
+    /// OpenDRIVE's name.
     #[getter]
     fn name(&self) -> PyResult<&str> {
         Ok(self.road()?.name())
     }
 
+    /// Of the reference line as written [m].
     #[getter]
     fn length(&self) -> PyResult<f64> {
         Ok(self.road()?.length())
     }
 
+    /// Whether traffic keeps to the left.
     #[getter]
     fn is_left_hand_traffic(&self) -> PyResult<bool> {
         Ok(self.road()?.is_left_hand_traffic())
     }
 
+    /// Id of the junction that it is a connecting road of.
     #[getter]
     fn junction(&self) -> PyResult<Option<&str>> {
         Ok(self.road()?.junction().map(|junction| junction.id()))
     }
 
+    /// Lanes of all sections, by s and from left to right.
     fn lanes(&self) -> PyResult<Vec<Lane>> {
         let road = self.road()?;
         let lanes = road.sections().flat_map(|section| section.lanes());
@@ -68,16 +74,19 @@ impl Road {
         Ok(lanes.map(|lane| Lane::new(&self.held, lane.lane_id().row())).collect())
     }
 
+    /// Elevation of the reference line at s [m].
     fn elevation_at(&self, s: f64) -> PyResult<f64> {
         Ok(self.road()?.elevation_at(s))
     }
 
+    /// The lane that covers (s, t); None beside all lanes.
     fn lane_at(&self, s: f64, t: f64) -> PyResult<Option<Lane>> {
         let section = self.road()?.section_at(s);
         let lane = section.and_then(|section| section.lane_at(s, t));
         Ok(lane.map(|lane| Lane::new(&self.held, lane.lane_id().row())))
     }
 
+    /// Poses of track coordinates s, t and, if given, h [m].
     #[pyo3(signature = (tracks, *, out = None))]
     fn to_inertial<'py>(
         &self,
@@ -100,6 +109,7 @@ impl Road {
         columns(py, "Poses", pose_columns(found), out)
     }
 
+    /// Feet of points on the reference line.
     #[pyo3(signature = (points, *, out = None))]
     fn to_track<'py>(
         &self,

@@ -8,7 +8,7 @@ use mapd_client::SignalId;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
-/// A signal: a sign, a light, a marking across lanes.
+/// A sign, a light, or a marking across lanes.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Signal {
     held: Arc<Held>,
@@ -35,63 +35,75 @@ impl Signal {
 
 #[pymethods]
 impl Signal {
+    /// OpenDRIVE's id.
     #[getter]
     fn id(&self) -> PyResult<&str> {
         Ok(self.signal()?.id())
     }
 
+    /// OpenDRIVE's name.
     #[getter]
     fn name(&self) -> PyResult<&str> {
         Ok(self.signal()?.name())
     }
 
+    /// Its class in mapd's vocabulary (docs/ontology.md).
     #[getter]
     fn meaning(&self) -> PyResult<&'static str> {
         Ok(self.signal()?.class().name())
     }
 
+    /// As written: country, its revision, type, subtype.
     #[getter]
     fn code(&self) -> PyResult<(&str, &str, &str, &str)> {
         let [country, revision, kind, subtype] = self.signal()?.code();
         Ok((country, revision, kind, subtype))
     }
 
+    /// Text shown.
     #[getter]
     fn text(&self) -> PyResult<&str> {
         Ok(self.signal()?.shown_text())
     }
 
+    /// What the class means by its value: [m/s], [m] or [kg].
     #[getter]
     fn value(&self) -> PyResult<Option<f64>> {
         Ok(self.signal()?.value())
     }
 
+    /// Whether its state changes.
     #[getter]
     fn is_dynamic(&self) -> PyResult<bool> {
         Ok(self.signal()?.is_dynamic())
     }
 
+    /// Where it stands [m].
     #[getter]
     fn position(&self) -> PyResult<(f64, f64, f64)> {
         Ok(triple(self.signal()?.position()))
     }
 
+    /// Direction of its face's normal [rad], in (-pi, pi].
     #[getter]
     fn facing(&self) -> PyResult<f64> {
         Ok(self.signal()?.facing())
     }
 
+    /// Width, height and length [m], where given.
     #[getter]
     fn size(&self) -> PyResult<(Option<f64>, Option<f64>, Option<f64>)> {
         let [width, height, length] = self.signal()?.size();
         Ok((width, height, length))
     }
 
+    /// The road that it is written in.
     #[getter]
     fn road(&self) -> PyResult<Option<Road>> {
         Ok(self.signal()?.road().map(|road| Road::new(&self.held, road.road_id().row())))
     }
 
+    /// s and t as written [m].
     #[getter]
     fn track(&self) -> PyResult<(f64, f64)> {
         let [s, t, ..] = self.signal()?.track();

@@ -58,7 +58,11 @@ struct State {
     held: Option<Arc<Held>>,
 }
 
-/// A running filter over poses. Threads may share it; they wait for each other.
+/// The lane of a vehicle that drives, from fix to fix (docs/localisation.md). Threads that share it wait for each other.
+///
+/// `change_interval` [s] is the mean time between changes of lane, `correlation_time` [s] that over which errors of fixes are alike, `memory` [s] the time without a fix after
+/// which it begins anew, `enough` the probability from which a lane, or none, is the answer. Other options are those of Map.match_pose; `types` are those that motor vehicles
+/// travel on.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Tracker {
     state: Mutex<State>,
@@ -108,6 +112,9 @@ impl Tracker {
         Ok(Self { state: Mutex::new(State { tracker, held: None }), options })
     }
 
+    /// Takes the next fix, or many in their order: time [s] that does not fall, heading [rad], covariance as of Map.match_pose.
+    ///
+    /// `odometer` is the way driven since any beginning [m], NaN where it is not known.
     #[pyo3(signature = (map, time, points, heading, covariance, *, odometer = None, expected = None, out = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn update<'py>(
@@ -190,6 +197,7 @@ impl Tracker {
         columns(py, "TrackedFixes", all.map_err(match_in_row)?, out)
     }
 
+    /// The lanes that the vehicle may be in, the most probable first, and the probability that it is in none.
     fn hypotheses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let (none, found, held) = self.with(py, |state| {
             (state.tracker.none(), state.tracker.hypotheses().to_vec(), state.held.clone())
@@ -200,12 +208,14 @@ impl Tracker {
         result(py, "PoseMatch", &fields!(py, none = none, lanes = lanes))
     }
 
+    /// Probability that the vehicle is in one of these lanes, such as those of its route.
     fn probability_in(&self, py: Python<'_>, lanes: Vec<Bound<'_, PyAny>>) -> PyResult<f64> {
         let Some(held) = self.with(py, |state| state.held.clone()) else { return Ok(0.0) };
         let lanes = lanes_of(held.map(), Some(&lanes))?;
         Ok(self.with(py, |state| state.tracker.probability_in(&lanes)))
     }
 
+    /// Forgets everything.
     fn reset(&self, py: Python<'_>) {
         self.with(py, |state| {
             state.tracker.reset();

@@ -20,7 +20,7 @@ use pyo3::types::PyTuple;
 use std::sync::Arc;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-/// A map under its overlay at a moment. Immutable; threads share it.
+/// A map under what is laid over it, at a moment: what is closed, slower or told of. Without an overlay it is the map.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct View {
     held: Arc<Held>,
@@ -130,6 +130,7 @@ impl Speeds {
 
 #[pymethods]
 impl View {
+    /// The moment: seconds since 1970 in UTC [s].
     #[getter]
     fn at(&self) -> f64 {
         match self.at.duration_since(UNIX_EPOCH) {
@@ -138,15 +139,18 @@ impl View {
         }
     }
 
+    /// The map below.
     #[getter]
     fn map(&self) -> crate::map::Map {
         crate::map::Map::of(Arc::clone(&self.held))
     }
 
+    /// Everything that the overlay says, whether it holds now or not; entry k has the number k.
     fn entries<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         self.view().entries().map(|own| self.entry(py, &own)).collect()
     }
 
+    /// What holds now, wherever it does.
     fn restrictions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let content = content(self.held.map());
         let (lane, from, to, entry) = py.detach(|| {
@@ -168,6 +172,7 @@ impl View {
         columns(py, "Restrictions", all, None)
     }
 
+    /// Entries that hold now at a place, in the lane's own direction.
     fn restrictions_at<'py>(
         &self,
         py: Python<'py>,
@@ -178,6 +183,7 @@ impl View {
         found.map(|own| self.restriction(py, &own)).collect()
     }
 
+    /// What holds now along a route.
     #[pyo3(signature = (steps, *, vehicle = "passengerCar"))]
     fn restrictions_along<'py>(
         &self,
@@ -191,6 +197,7 @@ impl View {
         found.iter().map(|own| self.restriction(py, own)).collect()
     }
 
+    /// What holds now along a path, in ascending S.
     #[pyo3(signature = (path, *, vehicle = "passengerCar"))]
     fn restrictions_on_path<'py>(
         &self,
@@ -210,6 +217,7 @@ impl View {
         found.iter().map(one).collect()
     }
 
+    /// Whether a class of vehicles may use a lane at a place, or many lanes, by their ids, each at its s [m].
     #[pyo3(signature = (place, s = None, *, vehicle = "passengerCar", out = None))]
     fn allows<'py>(
         &self,
@@ -243,6 +251,7 @@ impl View {
         columns(py, "Permissions", vec![Column::Flags(flags), Column::Counts(entries)], out)
     }
 
+    /// The speed limit at a place, or of many lanes, by their ids, each at its s [m]: the lowest that an entry states, else the map's.
     #[pyo3(signature = (place, s = None, *, vehicle = "passengerCar", out = None))]
     fn speed_rule_at<'py>(
         &self,
@@ -273,6 +282,7 @@ impl View {
         columns(py, "SpeedsToday", found.columns(), out)
     }
 
+    /// The speed limit at S of a path [m].
     #[pyo3(signature = (path, along, *, vehicle = "passengerCar", out = None))]
     fn speed_on_path<'py>(
         &self,
@@ -299,6 +309,7 @@ impl View {
         columns(py, "SpeedsToday", found.columns(), out)
     }
 
+    /// The entry by which a signal is out of service now.
     fn signal_out_of_service<'py>(
         &self,
         py: Python<'py>,
@@ -308,6 +319,7 @@ impl View {
         found.map(|own| self.entry(py, &own)).transpose()
     }
 
+    /// As Map.route, with the overlay's current entries applied.
     #[pyo3(signature = (start, goal, *, via = None, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn route<'py>(
@@ -334,6 +346,9 @@ impl View {
         route.map(|route| found_route(py, &self.held, &route, &steps)).transpose()
     }
 
+    /// The cheapest way from any of some starts to any of some goals, which may be `RouteEnd`; lanes to avoid are not entered.
+    ///
+    /// `turns` are what turns to the left, to the right and back at junctions cost beside the way, in its unit; other options are those of route.
     #[pyo3(signature = (starts, goals, *, avoid = None, vehicle = "passengerCar", by = "length", lane_change = None,
         factors = None, turns = [0.0; 3]))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -358,6 +373,7 @@ impl View {
         })
     }
 
+    /// The cheapest way and alternatives to it, cheapest first: `count` at most, each on other roads for a `share` of its length, none `longest` times as expensive.
     #[pyo3(signature = (starts, goals, *, count = 3, share = 0.3, longest = 1.5, avoid = None,
         vehicle = "passengerCar", by = "length", lane_change = None, factors = None, turns = [0.0; 3]))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -386,6 +402,7 @@ impl View {
         })
     }
 
+    /// The network that can be reached from starts within a limit [m, or s by time], or from which goals can be, with the ways on.
     #[pyo3(signature = (limit, *, starts = None, goals = None, avoid = None, vehicle = "passengerCar", by = "length",
         lane_change = None, factors = None, turns = [0.0; 3]))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
@@ -420,6 +437,7 @@ impl View {
         })
     }
 
+    /// As Map.reachable, with the overlay's current entries applied [m, or s by time].
     #[pyo3(signature = (start, limit, *, vehicle = "passengerCar", by = "length", lane_change = None, factors = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn reachable<'py>(
@@ -444,6 +462,7 @@ impl View {
         pieces_result(py, &self.held, &found)
     }
 
+    /// As Path.corridor [m], with the overlay's current entries applied beside the path; speeds are the map's.
     #[pyo3(signature = (path, step = 1.0, *, start = 0.0, length = None, vehicle = "passengerCar", out = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn corridor<'py>(
@@ -467,6 +486,7 @@ impl View {
         crate::along::room(py, &self.held, &found, out)
     }
 
+    /// As Map.signals_ahead [m]: ways through closed lanes are not followed.
     #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]
     fn signals_ahead<'py>(
         &self,
@@ -481,6 +501,7 @@ impl View {
         ahead_result(py, &self.held, &found)
     }
 
+    /// As Map.match_pose: a lane that is closed to the vehicle now has the prior of closed ones.
     #[pyo3(signature = (points, heading, covariance, *, types = None, z_tolerance = None,
         drive_deviation = 0.1, none = 0.01, vehicle = None, closed = 0.05, expected = None, unexpected = 0.05))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]

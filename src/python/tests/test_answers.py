@@ -27,7 +27,7 @@ SINGLES = 100
 NOTHING = 0xFFFFFFFF
 ENTER = {"start": 0, "ahead": 1, "left": 2, "right": 3}
 # What this language has no form for.
-ABSENT = {"objects", "surface", "edges", "movement", "junction", "lines"}
+ABSENT = {"objects", "surface", "edges", "movement", "junction", "lines", "road", "region", "details", "sign", "thing", "earth", "whole"}
 
 
 def as_float(bits: int) -> float:

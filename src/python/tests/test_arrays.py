@@ -96,6 +96,10 @@ def test_columns_convert(town: mapd.Map) -> None:
     pandas = pytest.importorskip("pandas")
     frame = hits.to_pandas()
     assert isinstance(frame, pandas.DataFrame) and list(frame.columns) == list(hits.names)
+    polars = pytest.importorskip("polars")
+    table = hits.to_polars()
+    assert isinstance(table, polars.DataFrame) and table.columns == list(hits.names)
+    assert all(np.array_equal(table[name].to_numpy(), hits[name], equal_nan=hits[name].dtype.kind == "f") for name in hits.names)
     with pytest.raises(AttributeError, match="no column 'nonsense'"):
         hits.nonsense
     assert "3 rows" in repr(hits) and "<table>" in hits._repr_html_()

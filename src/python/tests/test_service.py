@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import multiprocessing
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -110,6 +111,21 @@ def test_a_map_that_is_not_served(daemon: Daemon) -> None:
         mapd.Client("village", timeout=0.5, prefix=daemon.prefix)
 
 
+def test_too_few_descriptors_are_an_error_of_their_own(daemon: Daemon) -> None:
+    daemon.client().close()
+    gc.collect()
+    used = len(os.listdir("/proc/self/fd"))
+    usual = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (0, usual[1]))
+    try:
+        with pytest.raises(mapd.ExhaustedError, match="file descriptors"):
+            mapd.Client("town", timeout=0.2, prefix=daemon.prefix)
+    finally:
+        resource.setrlimit(resource.RLIMIT_NOFILE, usual)
+    assert len(os.listdir("/proc/self/fd")) == used
+    daemon.client().close()
+
+
 def test_attaching_and_letting_go_leaves_no_mapping(daemon: Daemon, tmp_path: Path) -> None:
     daemon.client().close()
     gc.collect()
@@ -154,9 +170,12 @@ def test_a_forked_process_reads_what_it_inherits(daemon: Daemon) -> None:
     maps = [held[0].map()]
     events = [held[0].events()]
     want = maps[0].nearest_lane(POINTS)
+    lengths = mapd.raw.table(maps[0], "roads")["length"]
+    copy = lengths.copy()
 
     def child() -> None:
         assert np.array_equal(maps[0].nearest_lane(POINTS).s, want.s, equal_nan=True)
+        assert np.array_equal(lengths, copy) and np.array_equal(mapd.raw.table(maps[0], "roads")["length"], copy)
         for call in (held[0].map, held[0].refresh, lambda: held[0].wait(0.1), lambda: events[0].wait(0.1)):
             with pytest.raises(mapd.ForkedError):
                 call()
@@ -167,6 +186,9 @@ def test_a_forked_process_reads_what_it_inherits(daemon: Daemon) -> None:
         maps.clear()
         events.clear()
         held.clear()
+        # The view alone keeps what it points into.
+        gc.collect()
+        assert np.array_equal(lengths, copy)
         # Compiling uses threads of its own, which a fork does not take away.
         assert mapd.compile(MAPS / "one_road.xodr").report.verdict == "accepted"
 

@@ -133,6 +133,7 @@ impl<'a> Map<'a> {
     }
 
     /// The road of an id.
+    #[inline]
     pub fn road(&self, id: RoadId) -> Result<Road<'a>, QueryError> {
         self.known(id.content, id.tile)?;
         Road::new(*self, id.row).ok_or(QueryError::Corrupt)
@@ -145,6 +146,7 @@ impl<'a> Map<'a> {
     }
 
     /// The lane of an id.
+    #[inline]
     pub fn lane(&self, id: LaneId) -> Result<Lane<'a>, QueryError> {
         self.known(id.content, id.tile)?;
         Lane::new(*self, id.row).ok_or(QueryError::Corrupt)

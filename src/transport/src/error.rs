@@ -154,7 +154,7 @@ pub enum AttachError {
     },
     /// This process may open no more files.
     #[error(
-        "attaching needs {ATTACH_DESCRIPTORS} file descriptors, {left} of {limit} are left to this process; close some, or raise the limit \
+        "attaching needs up to {ATTACH_DESCRIPTORS} file descriptors, {left} of {limit} are left to this process; close some, or raise the limit \
          (`ulimit -n`, LimitNOFILE=)"
     )]
     NoDescriptors {

@@ -531,12 +531,17 @@ class Projector : public detail::Owner<mapd_projector, mapd_projector_close> {
   Result<Geodetic> try_to_geodetic(Vec3 point) const {
     return detail::value<Geodetic>([&](auto... out) { return mapd_to_geodetic(get(), point, out...); });
   }
+  /// Where many points lie on Earth; of an error the answers before its point are written. `out` has as many entries as `points`.
+  Error try_to_geodetic(span<const Vec3> points, span<Geodetic> out) const {
+    return detail::batch(points, out, [&](auto... rest) { return mapd_to_geodetic_batch(get(), rest...); });
+  }
   /// The point of the map at a place on Earth.
   Result<Vec3> try_from_geodetic(Geodetic place) const {
     return detail::value<Vec3>([&](auto... out) { return mapd_from_geodetic(get(), place, out...); });
   }
 #if MAPD_EXCEPTIONS
   Geodetic to_geodetic(Vec3 point) const { return try_to_geodetic(point).value(); }
+  void to_geodetic(span<const Vec3> points, span<Geodetic> out) const { detail::must(try_to_geodetic(points, out)); }
   Vec3 from_geodetic(Geodetic place) const { return try_from_geodetic(place).value(); }
 #endif
 };

@@ -191,6 +191,13 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::value<RoadFacts>([&](auto... out) { return mapd_road_facts_of(get(), road, out...); });
   }
 
+  /// OpenDRIVE's id of a road; it points into the snapshot.
+  Result<std::string_view> try_road_name_id(RoadId road) const {
+    const auto out = detail::value<mapd_text>([&](auto... out) { return mapd_road_name_id(get(), road, out...); });
+    if (!out) return out.error();
+    return view(*out);
+  }
+
   /// Inertial pose of a track position.
   Result<Pose> try_to_inertial(RoadId road, Track track) const {
     return detail::value<Pose>([&](auto... out) { return mapd_road_to_inertial(get(), road, track, out...); });
@@ -238,6 +245,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
 
 #if MAPD_EXCEPTIONS
   RoadFacts road(RoadId road) const { return try_road(road).value(); }
+  std::string_view road_name_id(RoadId road) const { return try_road_name_id(road).value(); }
   Pose to_inertial(RoadId road, Track track) const { return try_to_inertial(road, track).value(); }
   TrackPosition to_track(RoadId road, Point point) const { return try_to_track(road, point).value(); }
   double elevation_at(RoadId road, double s) const { return try_elevation_at(road, s).value(); }

@@ -39,6 +39,9 @@ class Answerer {
         {"along", &Answerer::along},         {"room", &Answerer::room},         {"comes", &Answerer::comes},
         {"today", &Answerer::today},         {"tracker", &Answerer::tracker},   {"stance", &Answerer::stance},
         {"sees", &Answerer::sees},           {"paint", &Answerer::paint},       {"request", &Answerer::request},
+        {"road", &Answerer::road},           {"region", &Answerer::region},     {"details", &Answerer::details},
+        {"sign", &Answerer::sign},           {"thing", &Answerer::thing},       {"earth", &Answerer::earth},
+        {"whole", &Answerer::whole},
     };
     return all;
   }
@@ -327,6 +330,124 @@ class Answerer {
   mapd::Snapshot map_;
   /// The same under an overlay.
   mapd::Snapshot under_;
+  void road(Question& q, Numbers& a) {
+    const auto road = q.id<mapd::RoadId>();
+    const double s = q.f(), t = q.f();
+    a.text(map_.road_name_id(road)).f(map_.elevation_at(road, s)).f(map_.superelevation_at(road, s));
+    a.f(map_.lane_offset_at(road, s)).id(map_.lane_at(road, s, t)).ids(map_.section_lanes(road, 0));
+  }
+  void region(Question& q, Numbers& a) {
+    const mapd::Vec2 low = q.xy(), high = q.xy();
+    const mapd::Region region{low, high};
+    a.ids(map_.lanes_in(region, mapd::all_lane_types, scratch_)).ids(map_.signals_in(region, scratch_));
+    const auto objects = map_.objects_in(region, scratch_);
+    a.u(objects.size());
+    for (const auto& one : objects) a.id(one.object).u(one.copy);
+    const auto landmarks = map_.landmarks_in(region, nullptr, scratch_);
+    a.u(landmarks.size());
+    for (const auto& one : landmarks) a.v(one.position).f(one.distance);
+    const auto bounds = map_.boundary_segments(region, mapd::all_lane_types, scratch_);
+    a.u(bounds.size());
+    for (const auto& one : bounds) a.id(one.lane).all(one.s_from, one.s_to).v(one.from).v(one.to);
+    const auto marks = map_.road_mark_segments(region, mapd::all_lane_types, scratch_);
+    a.u(marks.size());
+    for (const auto& one : marks) a.id(one.segment.lane).all(one.segment.s_from, one.width).u(one.kind).u(one.color);
+  }
+  void details(Question& q, Numbers& a) {
+    const auto [lane, s] = q.place();
+    const auto facts = map_.lane(lane);
+    a.pose(map_.pose_of_reference_line(lane, s, 0.5)).f(map_.time_between(lane, s, facts.s_end));
+    const auto rule = map_.overtaking_rule_at(lane, s);
+    const auto height = map_.height_at(lane, s);
+    const auto material = map_.material_at(lane, s);
+    a.id(rule.all).id(rule.trucks).all(height.inner, height.outer);
+    a.u(material.has_value()).f(material ? material->friction : -1.0);
+    const auto marks = map_.road_marks(lane);
+    a.u(marks.size());
+    for (const auto& one : marks) a.all(one.s, one.s_end, one.width_or_default).u(one.kind).u(one.color);
+    const auto objects = map_.lane_objects(lane);
+    a.u(objects.size());
+    for (const auto& one : objects) a.id(one.object).all(one.s_low, one.s_high, one.distance);
+    const auto line = [&](const mapd::LaneLine& one) { a.id(one.lane).f(one.s).u(one.class_code); };
+    for (const std::uint32_t which : {MAPD_LANE_LINES_TO_STOP_AT, MAPD_LANE_LINES_CROSSINGS, MAPD_LANE_LINES_MOVEMENT_CROSSINGS}) {
+      const auto lines = map_.lane_lines(lane, which);
+      a.u(lines.size());
+      for (const auto& one : lines) line(one);
+    }
+    const auto stop = map_.movement_stop(lane);
+    a.u(stop.has_value());
+    if (stop) line(*stop);
+    const auto node = map_.node_at(lane, s, facts.is_forward != 0);
+    a.id(node).ids(node ? map_.node_predecessors(*node) : std::vector<mapd::NodeId>());
+  }
+  void sign(Question& q, Numbers& a) {
+    const auto signal = q.id<mapd::SignalId>();
+    const std::string id(mapd::view(map_.signal(signal).id));
+    const auto same = map_.signal_by_id(id);
+    a.u(map_.signals().size());
+    if (same) a.text(mapd::view(map_.signal(*same).id)); else a.u(MAPD_NO_ROW);
+    for (const std::uint32_t which : {MAPD_SIGNAL_LINKS_DEPENDENCIES, MAPD_SIGNAL_LINKS_BELONGINGS}) {
+      const auto links = map_.signal_links(signal, which);
+      a.u(links.size());
+      for (const auto& one : links) a.text(mapd::view(one.id)).text(mapd::view(one.kind)).id(one.signal).id(one.object).u(one.is_object);
+    }
+    const auto controllers = map_.signal_controllers(signal);
+    a.ids(map_.signal_movements(signal)).u(controllers.size());
+    for (const std::uint32_t one : controllers) a.u(one);
+  }
+  void thing(Question& q, Numbers& a) {
+    const auto object = q.id<mapd::ObjectId>();
+    a.u(map_.objects().size()).id(map_.object_by_id(std::string(mapd::view(map_.object(object).id))));
+    const auto lanes = map_.object_lanes(object);
+    a.u(lanes.size());
+    for (const auto& one : lanes) a.id(one.lane).all(one.s_low, one.distance);
+    const auto placements = map_.placements(object);
+    a.u(placements.size());
+    for (const auto& one : placements) {
+      const auto place = map_.placement(one.place);
+      const auto corners = map_.footprint(one.place, scratch_);
+      a.v(place.position).all(place.heading, place.length, place.height).u(corners.size());
+      for (const auto& corner : corners) a.v(corner);
+    }
+  }
+  void earth(Question& q, Numbers& a) {
+    const double latitude = q.f(), longitude = q.f(), altitude = q.f();
+    a.v(projector_->from_geodetic({latitude, longitude, altitude}));
+  }
+  void whole(Question&, Numbers& a) {
+    a.u(map_.node_count());
+    const auto junctions = map_.junctions();
+    a.u(junctions.size());
+    for (const auto& junction : junctions) {
+      const auto facts = map_.junction(junction);
+      const auto connections = map_.connections(junction);
+      a.id(junction).text(mapd::view(facts.id)).id(map_.junction_by_id(std::string(mapd::view(facts.id)))).u(connections.size());
+      for (const auto& one : connections) a.text(mapd::view(one.id)).u(one.contact);
+      const auto controllers = map_.junction_controllers(junction);
+      a.u(controllers.size());
+      for (const std::uint32_t one : controllers) a.u(one);
+    }
+    const auto controllers = map_.controllers();
+    a.u(controllers.size());
+    for (const auto& one : controllers) a.text(mapd::view(one.id)).text(mapd::view(one.name));
+    const auto groups = map_.junction_groups();
+    a.u(groups.size());
+    for (std::uint32_t number = 0; number < groups.size(); ++number) {
+      a.text(mapd::view(groups[number].id)).u(groups[number].kind);
+      a.u(map_.junction_group_members(number).size()).ids(map_.junction_group_ring(number));
+    }
+    const auto structures = map_.structures();
+    a.u(structures.size());
+    for (const auto& one : structures) a.text(mapd::view(one.id)).all(one.s_from, one.s_to).u(one.kind);
+    const auto references = map_.object_references();
+    a.u(references.size());
+    for (const auto& one : references) a.text(mapd::view(one.id)).all(one.s, one.t);
+    a.u(map_.quarantined_parts().size());
+    const auto bounds = map_.geodetic_bounds();
+    a.u(bounds.has_value());
+    if (bounds) a.all(bounds->south, bounds->north, bounds->west, bounds->east);
+  }
+
   mapd::Scratch scratch_;
   std::optional<mapd::Projector> projector_;
 };

@@ -133,7 +133,9 @@ def propose(map: str, source: str, entry: str | Mapping[str, object], *, timeout
     `ProposalRefusedError`, with the daemon's reason.
     """
 
-def open_archive(path: str | os.PathLike[str]) -> Map: ...
+def open_archive(path: str | os.PathLike[str]) -> Map:
+    """Opens an archive in place; what `mapd.open` calls."""
+
 def read_file(
     path: str | os.PathLike[str],
     *,
@@ -145,9 +147,11 @@ def read_file(
     lane_reach: float | None,
     landmarks: int | None,
     threads: int,
-) -> tuple[Map | None, Report]: ...
+) -> tuple[Map | None, Report]:
+    """Compiles a file, or only checks it: a map, if one was built, and a report; what `mapd.compile` and `mapd.check` call."""
 
-def outline(left: NDArray[np.float64], right: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]: ...
+def outline(left: NDArray[np.float64], right: NDArray[np.float64]) -> tuple[NDArray[np.float64], bool]:
+    """The room between left and right edges (N, 2) as one polygon (M, 2) [m], and whether it is simple."""
 
 @final
 class Client:

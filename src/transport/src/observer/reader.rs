@@ -10,6 +10,7 @@ use crate::limits::{TRANSPORT_REVISION, check_map_name};
 use crate::payload::GenerationInfo;
 use crate::pinned::Pinned;
 use crate::record::RECORD_SUFFIX;
+use crate::room::{Descriptors, descriptors};
 use crate::status::alive_maps;
 use crate::user::{check_owned_by, not_owned};
 use rustix::io::Errno;
@@ -202,7 +203,14 @@ pub(super) fn refused(path: &Path, refusal: Refusal, owner: u32) -> AttachError 
         Refusal::Io(error) if error.kind() == io::ErrorKind::InvalidData => {
             AttachError::Record { path: path.to_owned(), why: error.to_string() }
         }
-        Refusal::Io(error) => AttachError::io(path, error),
+        Refusal::Io(error) => match descriptors() {
+            Some(Descriptors { left, limit })
+                if error.raw_os_error() == Some(Errno::MFILE.raw_os_error()) =>
+            {
+                AttachError::NoDescriptors { left, limit }
+            }
+            _ => AttachError::io(path, error),
+        },
     }
 }
 

@@ -10,6 +10,7 @@ mod along;
 mod driving;
 mod localising;
 mod numbers;
+mod parts;
 mod places;
 mod requests;
 mod today;
@@ -123,7 +124,9 @@ fn main() -> Result<()> {
             asker.comes(&mut scratch)?;
             asker.requests(&mut scratch)?;
             asker.today(&under, &mut scratch)?;
+            asker.parts()?;
         }
+        asker.whole();
         std::fs::write(path.with_extension("answers"), asker.out)?;
     }
     Ok(())
