@@ -152,6 +152,7 @@ impl From<QueryError> for Failure {
             QueryError::ForeignId => mapd_code::FOREIGN_ID,
             QueryError::Corrupt => mapd_code::CORRUPT,
             QueryError::NotFinite | QueryError::NotFiniteAt(_) => mapd_code::NOT_FINITE,
+            QueryError::Option(_) => mapd_code::ARGUMENT,
             _ => mapd_code::OTHER,
         };
         Self::new(code, error.to_string())

@@ -182,7 +182,7 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_project(path, nan_place, NULL, &foot, &error));
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_project_batch(path, &nan_place, 1, &foot, &error));
   EXPECT(MAPD_CODE_NONE, mapd_path_along_of(path, wrong, 1.0, &number, &error));
-  EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_corridor(path, 0.0, 1.0, 0.0, 0, scratch, &station, 1, &count, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_corridor(path, 0.0, 1.0, 0.0, 0, scratch, &station, 1, &count, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_path_corridor(path, 0.0, 1.0, 0.5, 200, scratch, &station, 1, &count, &error));
   EXPECT(MAPD_CODE_TOO_SMALL, mapd_path_corridor(path, 0.0, 1.0, 0.5, 0, scratch, &station, 1, &count, &error));
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_conflicts(path, NULL, &conflict, 1, &count, &error));

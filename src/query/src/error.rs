@@ -18,6 +18,9 @@ pub enum QueryError {
     /// A column of a batch that is not as long as the others, or not there: by its name.
     #[error("the column {0} is not as long as the others")]
     Length(&'static str),
+    /// An option that no answer can be given with: by its name.
+    #[error("the option {0} is outside of its domain")]
+    Option(&'static str),
     /// A coordinate that is not a finite number, or lies farther than 10⁹ m from 0, where no map has anything.
     #[error("the coordinates are not finite numbers of at most 1e9")]
     NotFinite,

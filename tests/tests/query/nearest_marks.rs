@@ -147,7 +147,9 @@ fn many_points_answer_as_each_does() {
     points[42].y = f64::NAN;
     assert_eq!(map.nearest_marks(&points, &filter, &mut out), Err(QueryError::NotFiniteAt(42)));
     let endless = MarkFilter { radius: f64::INFINITY, ..filter };
-    assert_eq!(map.nearest_mark(DVec2::ZERO, &endless), Err(QueryError::NotFinite));
+    let refused = Err(QueryError::Option("radius"));
+    assert_eq!(map.nearest_mark(DVec2::ZERO, &endless), refused.map(|()| None));
+    assert_eq!(map.nearest_marks(&points[..1], &endless, &mut out), refused);
 }
 
 /// Points lie on marks, painted places have one at every multiple of the spacing, and each comes once, by whatever rectangle.

@@ -299,6 +299,8 @@ fn places_on_a_bend_and_beyond_the_ends() {
         assert_eq!((found.clamped, found.along), (Clamped::After, path.length()));
         assert!((found.distance - 3.0).abs() < TOLERANCE);
         assert_eq!(path.at(f64::NAN).err(), Some(QueryError::NotFinite));
+        let refused = path.at_batch(&[0.0, f64::NAN], &mut Vec::new());
+        assert_eq!(refused, Err(QueryError::NotFiniteAt(1)));
         for absurd in [f64::NAN, f64::INFINITY, 1e300, -1e300, 1.1e9] {
             for point in [DVec2::new(absurd, 0.0), DVec2::new(0.0, absurd)] {
                 assert_eq!(path.project(point, None).err(), Some(QueryError::NotFinite));
@@ -312,7 +314,8 @@ fn places_on_a_bend_and_beyond_the_ends() {
         let mut room = Corridor::default();
         for step in [0.0, -1.0, f64::NAN, 1e-9] {
             let car = VehicleClass::PassengerCar;
-            assert!(path.corridor(0.0, 50.0, step, car, &mut room).is_err(), "{step}");
+            let refused = path.corridor(0.0, 50.0, step, car, &mut room);
+            assert_eq!(refused, Err(QueryError::Option("step")), "{step}");
         }
         // Against the traffic's own direction, one after the other without a link, and nothing at all.
         let mut turned = steps.clone();

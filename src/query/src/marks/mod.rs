@@ -131,13 +131,16 @@ impl Map<'_> {
     /// Lines count along their whole length; whether the nearest place is a gap is said by `painted`. `None` if none is near enough.
     /// Ties go by lane, then s.
     ///
-    /// Errors: numbers that are not finite.
+    /// Errors: coordinates or a radius that are not finite.
     pub fn nearest_mark(
         &self,
         point: DVec2,
         filter: &MarkFilter,
     ) -> Result<Option<NearMark>, QueryError> {
-        if !(is_place(point) && filter.radius.is_finite()) {
+        if !filter.radius.is_finite() {
+            return Err(QueryError::Option("radius"));
+        }
+        if !is_place(point) {
             return Err(QueryError::NotFinite);
         }
         let local = point - self.origin();
@@ -178,7 +181,7 @@ impl Map<'_> {
 
     /// [`Map::nearest_mark`] of many points, in their order. `out` is emptied first; it grows only if its capacity is too small.
     ///
-    /// Errors: coordinates that are not finite, by the number of the point.
+    /// Errors: coordinates that are not finite, by the number of the point; a radius that is not.
     pub fn nearest_marks(
         &self,
         points: &[DVec2],

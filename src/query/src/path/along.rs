@@ -201,11 +201,11 @@ impl Path<'_, '_> {
 
     /// As [`Path::at`], for many places; `out` is emptied first.
     ///
-    /// Errors: as [`Path::at`].
+    /// Errors: as [`Path::at`], by the number of the place.
     pub fn at_batch(&self, along: &[f64], out: &mut Vec<PathPoint>) -> Result<(), QueryError> {
         out.clear();
-        along.iter().try_for_each(|along| {
-            out.push(self.at(*along)?);
+        along.iter().enumerate().try_for_each(|(i, along)| {
+            out.push(self.at(*along).map_err(|error| error.at(i))?);
             Ok(())
         })
     }

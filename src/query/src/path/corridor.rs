@@ -168,9 +168,11 @@ impl<'a> Path<'a, '_> {
         out: &mut Corridor,
     ) -> Result<(), QueryError> {
         out.clear();
-        let finite = from.is_finite() && length.is_finite() && step.is_finite();
-        if !(finite && step > 0.0 && length / step <= MOST_STATIONS) {
+        if !(from.is_finite() && length.is_finite()) {
             return Err(QueryError::NotFinite);
+        }
+        if !(step > 0.0 && step.is_finite() && length / step <= MOST_STATIONS) {
+            return Err(QueryError::Option("step"));
         }
         let from = mapd_geometry::clamp(from, 0.0, self.length());
         let end = mapd_geometry::clamp(from + length, from, self.length());
