@@ -17,10 +17,10 @@ struct View {
 }
 
 impl View {
-    fn start(place: &TestDomain, source: &str) -> Self {
+    fn start(place: &TestDomain, arguments: &[&str]) -> Self {
         let mut command = place.command();
         let mut child =
-            command.args(["view", source]).stdout(Stdio::piped()).spawn().expect("runs");
+            command.arg("view").args(arguments).stdout(Stdio::piped()).spawn().expect("runs");
         let mut line = String::new();
         let out = child.stdout.take().expect("a pipe");
         BufReader::new(out).read_line(&mut line).expect("an address");
@@ -59,7 +59,7 @@ impl Drop for View {
 #[test]
 fn only_this_machine_is_answered() {
     let (place, file) = (place(), mapd_tests::carried("one_road.xodr"));
-    let view = View::start(&place, file.to_str().expect("a path"));
+    let view = View::start(&place, &[file.to_str().expect("a path")]);
     let get = |path: &str, host: &str| view.ask(&format!("GET {path} HTTP/1.1\r\n{host}\r\n\r\n"));
     for host in ["Host: 127.0.0.1:PORT", "host: localhost:PORT", "Host: [::1]:PORT"] {
         assert_eq!(get("/", host).0, 200, "{host}");
@@ -91,6 +91,27 @@ fn only_this_machine_is_answered() {
     assert!(page.contains("connect-src 'self'; ") && page.contains(">[\"one_road\"]<"));
 }
 
+/// Names stay refused, so that DNS rebinding finds nothing there either.
+#[test]
+fn an_open_view_answers_every_address_and_no_name() {
+    let (place, file) = (place(), mapd_tests::carried("one_road.xodr"));
+    let view = View::start(&place, &["--open", file.to_str().expect("a path")]);
+    for (host, expected) in [
+        ("192.0.2.1:PORT", 200),
+        ("[2001:db8::1]:PORT", 200),
+        ("127.0.0.1:PORT", 200),
+        ("localhost:PORT", 200),
+        ("evil.example", 403),
+        ("evil.example:PORT", 403),
+        ("192.0.2.1.evil.example:PORT", 403),
+        ("192.0.2.1:1", 403),
+    ] {
+        let (status, body) = view.ask(&format!("GET /map/0 HTTP/1.1\r\nHost: {host}\r\n\r\n"));
+        assert_eq!(status, expected, "{host}");
+        assert_eq!(body == open(&file).bytes(), expected == 200, "{host}");
+    }
+}
+
 #[test]
 fn who_listens_hears_of_every_generation_and_overlay() {
     let place = place();
@@ -100,7 +121,7 @@ fn who_listens_hears_of_every_generation_and_overlay() {
         |name: &str| std::fs::copy(mapd_tests::carried(name), &map).map(drop).expect("copied");
     put("town.xodr");
     let _daemon = place.serve(&[&map.display().to_string()]);
-    let view = View::start(&place, "shm:town");
+    let view = View::start(&place, &["shm:town"]);
     let mut events = view.send("GET /events/0 HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n");
     let mut next = || loop {
         let mut line = String::new();
