@@ -42,6 +42,8 @@ SHORTEST = 0.1
 ROUTE = 0.05
 # Distances from the nearest lane may differ by so much [m]: half of what ends are put together over, and the tolerances of polylines.
 NEAREST = 0.1
+# Where the nearest lane may be farther away: what the report says of lanes that are not where the map has them.
+CHANGED = ("merged", "narrow", "cut", "lost")
 # How far points lie from a point of the map [m].
 REACH = 8.0
 
@@ -100,6 +102,7 @@ class Map:
         told = lambda what: {(line["lane"], line["other"]) for line in self.report if line["what"] == what}
         self.lost, self.extra = told("lost"), told("extra")
         self.turned = {lane for lane, _ in told("turned")}
+        self.changed = {what: {lane for pair in told(what) for lane in pair if lane} for what in CHANGED}
         self.merged_sections = {tuple(lane.split(":")[:2]) for lane, _ in told("merged")}
 
     def lane(self, one):
@@ -309,8 +312,12 @@ class Map:
             same = any(hit[1].attributes["lane_key"] == answer["lane"] for hit in hits if hit[0] <= distance + NEAREST)
             if abs(distance - float(answer["distance"])) <= NEAREST:
                 self.counts["nearest alike" if same else "nearest as near, another lane"] += 1
-            else:
-                self.counts["nearest: not as near"] += 1
+                continue
+            lanes = {answer["lane"], *(hit[1].attributes["lane_key"] for hit in hits if hit[0] <= distance + NEAREST)}
+            reason = next((what for what, named in self.changed.items() if named & lanes), None)
+            self.counts[f"nearest: not as near, {reason}"] += 1
+            if reason is None:
+                self.wrong.append(("nearest", (answer["lane"], sorted(lanes), distance, float(answer["distance"]))))
 
 
 def main():
