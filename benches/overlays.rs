@@ -1,14 +1,18 @@
-//! What changes today's road, in time: from publishing an overlay until a waiting reader has it, and compiling a map with a patch against without.
+//! What changes today's road, in time: from publishing an overlay, and from asking a daemon for it, until a waiting reader has it; asking for news where there is none; and
+//! compiling a map with a patch against without. Fails where a reader waits longer for one entry than a wide limit.
 
+use mapd::control::{OverlayAction, Request, Response, ask};
 use mapd::serve::{OverlayBytes, PublishMeta, Server, StopSignal};
 use mapd_archive::{HEADER_LENGTH, Header};
-use mapd_benches::{best_computed, maps, percentiles, print};
+use mapd_benches::{best, best_computed, maps, percentiles, print};
 use mapd_client::{Attach, Client, Domain, Map, Snapshot};
 use mapd_compiler::{CompileOptions, ReadOptions, compile, compile_from};
 use mapd_tests::overlays::over;
 use mapd_tests::town::town;
 use mapd_xodr::Patch;
+use std::hint::black_box;
 use std::path::Path;
+use std::process::{Command, ExitCode, Stdio};
 use std::sync::Arc;
 use std::sync::mpsc::channel;
 use std::time::{Duration, Instant, UNIX_EPOCH};
@@ -23,21 +27,86 @@ const WAIT: Duration = Duration::from_secs(60);
 const BLOCKS: usize = 48;
 /// Entries of overlays.
 const ENTRIES: [usize; 3] = [1, 1_000, 10_000];
+/// Longest median from publishing one entry until a waiting client has it: ten times what it takes on two cores that have other work.
+const LATEST: Duration = Duration::from_millis(2);
+/// Overlays that a daemon is asked for.
+const ASKED: u64 = 200;
+/// Times that a client asks for news.
+const LOOKS: u32 = 1_000_000;
 
-fn main() {
+fn main() -> ExitCode {
     let text = town(BLOCKS, BLOCKS);
     let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {});
     let compiled = compiled.expect("reading works");
     let rows = compiled.rows.expect("accepted");
     let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
     let snapshot = Snapshot::from_bytes(archive).expect("opens");
-    for count in ENTRIES {
-        waiting(&snapshot, count);
-    }
+    let medians = ENTRIES.map(|count| waiting(&snapshot, count));
     let folder = tempfile::tempdir().expect("a folder");
+    asking(&snapshot, &text, folder.path());
     for (name, path) in maps(folder.path()) {
         patching(name, &path, folder.path());
     }
+    if medians[0] > LATEST {
+        print(&format!("one entry: EXCEEDED, at most {LATEST:?}"));
+        return ExitCode::FAILURE;
+    }
+    ExitCode::SUCCESS
+}
+
+/// From just before a daemon is asked for an entry until a client that waits has it: reading, resolving and the synced write of the state are in between. And what a client
+/// pays that asks for news.
+fn asking(snapshot: &Snapshot, text: &str, folder: &Path) {
+    let map = folder.join("town.xodr");
+    std::fs::write(&map, text).expect("the town is written");
+    let domain = Domain::new(&format!("mapdasked{}_", std::process::id())).expect("a prefix");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mapd_under_bench"));
+    command.arg("--load").arg(&map).arg("--cache").arg(folder.join("cache"));
+    command.env("MAPD_PREFIX", domain.prefix()).stderr(Stdio::null());
+    let mut daemon = command.spawn().expect("starts");
+    let client = Client::connect_as(Attach::Observer, &domain, "town", WAIT).expect("attaches");
+    let lane = snapshot.map().lanes().find(|lane| lane.number() != 0).expect("a lane");
+    let key = lane.key();
+    let apply = |revision: u64| {
+        let document = format!(
+            r#"{{"entries":[{{"id":"1","kind":"closed","text":"{revision}","lanes":[{{"key":"{key}"}}]}}]}}"#
+        );
+        let action = OverlayAction::Apply { document, feed: None };
+        let request = Request::Overlay { map: "town".to_owned(), action };
+        let answer = ask(&domain, "town", &request, WAIT).expect("an answer");
+        assert!(matches!(answer, Response::Overlay(_)), "{answer:?}");
+    };
+    let mut times = Vec::new();
+    for revision in 0..ASKED {
+        std::thread::sleep(PAUSE);
+        let taken = std::thread::scope(|scope| {
+            let asks = scope.spawn(|| {
+                std::thread::sleep(PAUSE);
+                let begun = Instant::now();
+                apply(revision);
+                begun
+            });
+            assert!(client.wait_change(WAIT).expect("no error"), "it came");
+            let now = Instant::now();
+            now.duration_since(asks.join().expect("asked"))
+        });
+        times.push(taken);
+        let own = client.snapshot();
+        let said = own.view(UNIX_EPOCH).entries().next().map(|entry| entry.text().to_owned());
+        assert_eq!(said, Some(revision.to_string()));
+    }
+    let (median, late) = percentiles(times);
+    print(&format!(
+        "a daemon that is asked for one entry: a waiting client has it {median:.2?} (99 %: {late:.2?}) after, {ASKED} times"
+    ));
+    let looks = best(3, || {
+        for _ in 0..LOOKS {
+            black_box(client.refresh().expect("the map"));
+        }
+    });
+    print(&format!("asking for news where there is none: {:.0?} each", looks / LOOKS));
+    Command::new("kill").arg(daemon.id().to_string()).status().expect("kill runs");
+    daemon.wait().expect("waited for");
 }
 
 /// Bytes of an overlay that closes the middle of as many lanes.
@@ -53,8 +122,8 @@ fn overlay(map: Map<'_>, entries: usize, revision: u64) -> OverlayBytes {
     OverlayBytes { revision, content_hash: header.content_hash, bytes: bytes.to_vec() }
 }
 
-/// From just before an overlay is published until a client that waits has it and has asked it.
-fn waiting(snapshot: &Snapshot, entries: usize) {
+/// From just before an overlay is published until a client that waits has it and has asked it: the median.
+fn waiting(snapshot: &Snapshot, entries: usize) -> Duration {
     let domain = Domain::new(&format!("mapdover{}_", std::process::id())).expect("a prefix");
     let stop = StopSignal::new().expect("a signal");
     let (ready, served) = channel();
@@ -103,6 +172,7 @@ fn waiting(snapshot: &Snapshot, entries: usize) {
     print(&format!(
         "an overlay of {entries} entries ({length} B): a waiting client has it {median:.2?} (99 %: {late:.2?}) after it is published, {REVISIONS} times"
     ));
+    median
 }
 
 /// A compilation with a patch that replaces roads by themselves, against one without.
