@@ -151,7 +151,8 @@ impl<'a> View<'a> {
     /// The speed limit at s for a class of vehicles: the lowest that an entry states, else the map's ([`crate::Lane::speed_rule_at`]).
     ///
     /// Errors: as [`View::restrictions_at`].
-    #[inline]
+    // Always: a call would copy the longer answer once more.
+    #[inline(always)]
     pub fn speed_rule_at(
         &self,
         lane: LaneId,
