@@ -304,6 +304,61 @@ fn clicks_and_keys_do_what_they_say() {
     assert_eq!(browser.complaints, [""; 0]);
 }
 
+/// The whole picture as one number.
+const LOOK: &str = "(() => { viewer.painter.changes++; viewer.paint();
+    const { gl, canvas } = viewer.painter, all = new Uint8Array(4 * canvas.width * canvas.height);
+    gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+    let sum = 0;
+    for (const value of all) sum = (Math.imul(sum, 31) + value) | 0;
+    return sum; })()";
+
+/// The pointer's place is said as the map has it; keys change the picture and change it back; two numbers are a place.
+#[test]
+fn the_pointer_keys_and_numbers_do_what_they_say() {
+    let snapshot = open(&mapd_tests::carried("surfaces.xodr"));
+    let Some(mut browser) = browser(&snapshot) else { return };
+    let lane = snapshot.map().lanes().find(|lane| lane.kind().is_drivable()).expect("a lane");
+    let s = 0.5 * (lane.section().s_start() + lane.section().s_end());
+    let place = lane.pose_at(s, 0.0).expect("a place").position;
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let page = browser
+        .evaluate(&format!("viewer.camera.toPage(...viewer.near({}, {}))", place.x, place.y));
+    let [x, y] = [number(&page[0]).round(), number(&page[1]).round()];
+    let event = json!({ "type": "mouseMoved", "x": x, "y": y, "button": "none" });
+    browser.call("Input.dispatchMouseEvent", event);
+    let ground = browser.evaluate(&format!("viewer.far(viewer.camera.toGround({x}, {y}))"));
+    let [x, y] = [number(&ground[0]), number(&ground[1])];
+    let here = browser.evaluate("document.querySelector('#here').textContent");
+    let here = here.as_str().expect("text");
+    for words in [
+        format!("x {x:.2}   y {y:.2}   z "),
+        format!("   lane {} ({})   s ", lane.key(), lane.kind().name()),
+        "   t ".to_owned(),
+    ] {
+        assert!(here.contains(&words), "{here}, not {words}");
+    }
+    for key in ["h", "d"] {
+        let before = browser.evaluate(LOOK);
+        browser.key(key);
+        assert_ne!(browser.evaluate(LOOK), before, "{key}");
+        browser.key(key);
+        assert_eq!(browser.evaluate(LOOK), before, "{key} twice");
+    }
+    let search = format!(
+        "(() => {{ const text = document.querySelector('#text');
+        text.value = '{x:.3} {y:.3}';
+        text.dispatchEvent(new Event('input'));
+        const found = document.querySelector('#found li').textContent;
+        document.querySelector('#search').requestSubmit();
+        return [found, viewer.far(viewer.labels.mark)]; }})()"
+    );
+    let answer = browser.evaluate(&search);
+    assert_eq!(answer[0], json!(format!("place x {x:.3} m, y {y:.3} m")));
+    let marked = [number(&answer[1][0]), number(&answer[1][1])];
+    assert!((marked[0] - x).abs() < 1e-3 && (marked[1] - y).abs() < 1e-3, "{marked:?}");
+    assert_eq!(browser.complaints, [""; 0]);
+}
+
 /// Names that would be markup are shown as they are.
 #[test]
 fn hostile_names_do_nothing() {
