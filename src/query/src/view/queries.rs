@@ -97,7 +97,8 @@ impl<'a> View<'a> {
     /// entry closes no other opens.
     ///
     /// Errors: as [`View::restrictions_at`].
-    #[inline]
+    // Always: as `speed_rule_at`.
+    #[inline(always)]
     pub fn allows(
         &self,
         lane: LaneId,
