@@ -3,7 +3,9 @@
 
 use mapd_client::{Lane, Map, Road, Snapshot};
 use mapd_tests::browser::Browser;
+use mapd_tests::damage::seal_header;
 use mapd_tests::maps::{Random, carried_and, open, open_text};
+use mapd_tests::object_maps::{PLAIN, document};
 use mapd_tests::overlays::over;
 use mapd_web::page::Content;
 use mapd_web::{Kind, Layer, Link, Question};
@@ -20,6 +22,9 @@ const WAYS: usize = 60;
 const SHEETS: u32 = 60;
 /// Share by which the area that is seen may differ from the lanes' own: what overlaps counts once, edges are pixels.
 const AREA: f64 = 0.1;
+
+/// Where in an archive's header its format begins.
+const FORMAT_AT: usize = 12;
 
 /// A browser with the page of a map; none, said aloud, where there is no browser.
 fn browser(map: &Snapshot) -> Option<Browser> {
@@ -304,13 +309,87 @@ fn clicks_and_keys_do_what_they_say() {
     assert_eq!(browser.complaints, [""; 0]);
 }
 
-/// The whole picture as one number.
+/// The whole picture as one number, and how many of its pixels are much more red than green.
 const LOOK: &str = "(() => { viewer.painter.changes++; viewer.paint();
     const { gl, canvas } = viewer.painter, all = new Uint8Array(4 * canvas.width * canvas.height);
     gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
-    let sum = 0;
+    let sum = 0, red = 0;
     for (const value of all) sum = (Math.imul(sum, 31) + value) | 0;
-    return sum; })()";
+    for (let i = 0; i < all.length; i += 4) red += all[i] > all[i + 1] + 60 && all[i] > all[i + 2] + 60;
+    return [sum, red]; })()";
+
+/// A part that is left out is a red box; the list says which, why and where in the file, and leads to it.
+#[test]
+fn parts_that_are_left_out_are_listed_and_red() {
+    let tree = |id: &str, s: u32, radius: &str| {
+        format!(
+            r#"<object id="{id}" type="tree" s="{s}" t="9" zOffset="0" radius="{radius}" height="3" orientation="none"/>"#
+        )
+    };
+    let sound = tree("1", 30, "1") + &tree("2", 40, "1");
+    let broken = sound.clone() + &tree("broken", 50, "round");
+    for (objects, count) in [(sound, 0), (broken, 1)] {
+        // From a file, which is read again where something is left out.
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("map.xodr");
+        std::fs::write(&file, document(&PLAIN, &objects)).expect("written");
+        let snapshot = open(&file);
+        let map = snapshot.map();
+        assert_eq!(map.quarantined().len(), count);
+        let Some(mut browser) = browser(&snapshot) else { return };
+        let red = browser.evaluate(LOOK)[1].as_u64().expect("a number");
+        assert_eq!(red > 0, count > 0, "{red} red pixels");
+        browser.key("f");
+        let rows = "[...document.querySelectorAll('#panel tbody tr')].map(row => [...row.children].map(cell => cell.textContent))";
+        let expected = map.quarantined().map(|part| {
+            let at = part.source_position();
+            let name = format!("{} {}", part.kind().name(), part.id());
+            json!([name, part.rule(), part.message(), format!("{}:{}", at.line, at.column)])
+        });
+        assert_eq!(browser.evaluate(rows), Value::from(expected.collect::<Vec<_>>()));
+        for (part, row) in map.quarantined().zip(0..) {
+            // From far away, so that the link has somewhere to lead.
+            browser.evaluate("[viewer.camera.x, viewer.camera.y] = [5000, 5000]");
+            browser.evaluate(&format!("document.querySelectorAll('#panel td a')[{row}].click()"));
+            let title = browser.evaluate("document.querySelector('#panel h1').textContent");
+            assert!(title.as_str().is_some_and(|title| title.contains(part.id())), "{title}");
+            let seen = browser.evaluate(
+                "(() => { const [a, b, c, d] = viewer.camera.bounds();
+                return [...viewer.far([a, b]), ...viewer.far([c, d])]; })()",
+            );
+            let [a, b, c, d] = [0, 1, 2, 3].map(|i| seen[i].as_f64().expect("a number"));
+            let extent = part.extent().expect("a place");
+            assert!(a <= extent.low.x && b <= extent.low.y, "{seen}, not {extent:?}");
+            assert!(extent.high.x <= c && extent.high.y <= d, "{seen}, not {extent:?}");
+        }
+        assert_eq!(browser.complaints, [""; 0]);
+    }
+}
+
+/// An archive of another release is not shown, and the page says why.
+#[test]
+fn an_archive_of_another_format_is_refused_with_a_reason() {
+    let snapshot = open(&mapd_tests::carried("one_road.xodr"));
+    let mut bytes = snapshot.bytes().to_vec();
+    bytes[FORMAT_AT] ^= 0xff;
+    seal_header(&mut bytes);
+    let Some(mut browser) = Browser::start(SIZE) else {
+        mapd_tests::say("SKIPPED: there is no Chromium");
+        return;
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("map.html");
+    let mut page = std::fs::File::create(&file).expect("a file");
+    let content = Content::Archive { map: &bytes, overlay: &[] };
+    mapd_web::page::write(content, "map", &mut page).expect("written");
+    let message = "document.querySelector('#message')?.textContent";
+    browser.open(&file, &format!("{message}?.includes('cannot')"));
+    let said = browser.evaluate(message);
+    let said = said.as_str().expect("text");
+    assert!(said.starts_with("The map cannot be shown: ") && said.contains("format"), "{said}");
+    assert_eq!(browser.evaluate("globalThis.viewer === undefined"), json!(true));
+    assert_eq!(browser.complaints, [""; 0]);
+}
 
 /// The pointer's place is said as the map has it; keys change the picture and change it back; two numbers are a place.
 #[test]
@@ -338,11 +417,11 @@ fn the_pointer_keys_and_numbers_do_what_they_say() {
         assert!(here.contains(&words), "{here}, not {words}");
     }
     for key in ["h", "d"] {
-        let before = browser.evaluate(LOOK);
+        let before = browser.evaluate(LOOK)[0].clone();
         browser.key(key);
-        assert_ne!(browser.evaluate(LOOK), before, "{key}");
+        assert_ne!(browser.evaluate(LOOK)[0], before, "{key}");
         browser.key(key);
-        assert_eq!(browser.evaluate(LOOK), before, "{key} twice");
+        assert_eq!(browser.evaluate(LOOK)[0], before, "{key} twice");
     }
     let search = format!(
         "(() => {{ const text = document.querySelector('#text');

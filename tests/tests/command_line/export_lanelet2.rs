@@ -478,3 +478,43 @@ fn a_map_without_a_georeference_wants_an_origin_and_only_such_a_map() {
         check(&[town, "--origin", wrong], 2, &["--origin"]);
     }
 }
+
+/// With `--autoware` a crosswalk has the rule that refers to it, and a stop sign is called as Autoware calls it; without, neither is there.
+#[test]
+fn autoware_has_its_crosswalks_and_stop_signs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let sign = r#"</objects><signals><signal id="stop" s="40" t="-5" zOffset="2" orientation="+" dynamic="no" country="DE" type="206" subtype="-1" value="-1"/></signals>"#;
+    let text = std::fs::read_to_string(mapd_tests::carried("objects.xodr")).expect("a map");
+    assert!(text.contains("</objects>") && !text.contains("<signals>"));
+    std::fs::write(folder.path().join("map.xodr"), text.replacen("</objects>", sign, 1))
+        .expect("written");
+    for is_wanted in [false, true] {
+        let mut arguments = vec!["map.xodr", "-o", "out.osm", "--origin", "49,8.4"];
+        arguments.extend(is_wanted.then_some("--autoware"));
+        let output = run(&arguments, folder.path());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let osm = read(&folder.path().join("out.osm"));
+        let crossings = || {
+            let all = osm.relations.iter().filter(|(_, one)| says(one, "type", "lanelet"));
+            all.filter(|(_, one)| says(one, "subtype", "crosswalk")).map(|(id, _)| *id)
+        };
+        let is_rule = |one: &&Element| {
+            says(one, "type", "regulatory_element") && says(one, "subtype", "crosswalk")
+        };
+        let rules = osm.relations.values().filter(is_rule);
+        let referred = rules.map(|rule| {
+            let mut refers = rule.members.iter().filter(|(role, _)| role == "refers");
+            let (Some((_, crossing)), None) = (refers.next(), refers.next()) else {
+                panic!("{:?}", rule.members)
+            };
+            assert!(rule.members.iter().any(|(role, _)| role == "crosswalk_polygon"));
+            *crossing
+        });
+        let expected: Vec<u64> = if is_wanted { crossings().collect() } else { Vec::new() };
+        assert!(crossings().next().is_some());
+        assert_eq!(referred.collect::<Vec<_>>(), expected);
+        let signs = osm.ways.values().filter(|way| says(way, "type", "traffic_sign"));
+        let subtypes = signs.map(|way| way.tags["subtype"].as_str()).collect::<Vec<_>>();
+        assert_eq!(subtypes, [if is_wanted { "stop_sign" } else { "de206" }]);
+    }
+}
