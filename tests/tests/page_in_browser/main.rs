@@ -1,0 +1,75 @@
+//! The page of `mapd export --format html` and `mapd view` in a browser: what it draws, says and answers. Needs Chromium, with which `.ci/run page`
+//! runs it.
+
+mod actions;
+mod answers;
+mod drawing;
+
+use mapd_client::{Road, Snapshot};
+use mapd_tests::browser::Browser;
+use mapd_tests::overlays::over;
+use mapd_web::page::Content;
+use serde_json::json;
+
+/// Size of the page.
+const SIZE: (u32, u32) = (1000, 700);
+
+/// What the page says in the middle of the screen.
+const MESSAGE: &str = "document.querySelector('#message').textContent";
+
+/// A browser; none, said aloud, where there is none.
+fn any_browser() -> Option<Browser> {
+    let browser = Browser::start(SIZE);
+    if browser.is_none() {
+        mapd_tests::say("SKIPPED: there is no Chromium");
+    }
+    browser
+}
+
+/// Opens the page of an archive, and waits until it shows the map or says why it cannot.
+fn show(browser: &mut Browser, content: Content<'_>) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("map.html");
+    let mut page = std::fs::File::create(&file).expect("a file");
+    mapd_web::page::write(content, "map", &mut page).expect("written");
+    browser.open(&file, "globalThis.viewer?.ready || document.querySelector('#message')?.textContent.includes('cannot')");
+}
+
+/// A browser with the page of a map; none, said aloud, where there is no browser.
+fn browser(map: &Snapshot) -> Option<Browser> {
+    let mut browser = any_browser()?;
+    show(&mut browser, Content::Archive { map: map.bytes(), overlay: map.overlay_bytes() });
+    assert_eq!(browser.evaluate(MESSAGE), json!(""));
+    Some(browser)
+}
+
+/// The same map with some of its roads closed, slower, and told of.
+fn under_works(snapshot: Snapshot) -> Snapshot {
+    let what =
+        [r#""kind":"closed""#, r#""kind":"speed","value":1"#, r#""kind":"wet","text":"<b>""#];
+    let entry = |(i, road): (usize, Road<'_>)| {
+        let (what, id) = (what[i % what.len()], json!(road.id()));
+        format!(r#"{{"id":"{i}",{what},"lanes":[{{"road":{id}}}]}}"#)
+    };
+    let roads = snapshot.map().roads().step_by(7).enumerate();
+    let text = format!(r#"{{"entries":[{}]}}"#, roads.map(entry).collect::<Vec<_>>().join(","));
+    let (bytes, _) = over(snapshot.map(), &text, true);
+    snapshot.with_overlay(bytes).expect("its own")
+}
+
+/// Pixels that differ from the background with only these layers shown.
+fn painted(browser: &mut Browser, layers: &[&str]) -> f64 {
+    let shown = json!(layers);
+    let painted =
+        format!("viewer.shown = new Set({shown}); viewer.paint(); viewer.painter.painted()");
+    browser.evaluate(&painted).as_f64().expect("a number")
+}
+
+/// The whole picture as one number, and how many of its pixels are much more red than green.
+const LOOK: &str = "(() => { viewer.painter.changes++; viewer.paint();
+    const { gl, canvas } = viewer.painter, all = new Uint8Array(4 * canvas.width * canvas.height);
+    gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, all);
+    let sum = 0, red = 0;
+    for (const value of all) sum = (Math.imul(sum, 31) + value) | 0;
+    for (let i = 0; i < all.length; i += 4) red += all[i] > all[i + 1] + 60 && all[i] > all[i + 2] + 60;
+    return [sum, red]; })()";
