@@ -1,0 +1,74 @@
+//! Points on Earth.
+
+use super::Map;
+use crate::batch::{Column, columns};
+use crate::errors::raise;
+use crate::input::Rows;
+use mapd_client::geodesy::Geodetic;
+use mapd_client::glam::DVec3;
+use pyo3::prelude::*;
+
+#[pymethods]
+impl Map {
+    /// Latitude and longitude [deg] and altitude [m] on WGS 84.
+    fn to_geodetic<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let projector = self.map().projector();
+        let projector = projector.map_err(|error| raise("ProjectionError", error.to_string()))?;
+        let ask = |p: &[f64]| {
+            let z = p.get(2).copied().unwrap_or(0.0);
+            let place = projector.to_geodetic(DVec3::new(p[0], p[1], z));
+            place.map(|place| [place.latitude, place.longitude, place.altitude])
+        };
+        converted(py, points, "points", "Geodetics", ask)
+    }
+
+    /// Inertial points [m] of latitude, longitude [deg] and, if given, altitude [m] on WGS 84.
+    #[expect(clippy::wrong_self_convention, reason = "as the projector's, which it stands for")]
+    fn from_geodetic<'py>(
+        &self,
+        py: Python<'py>,
+        places: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let projector = self.map().projector();
+        let projector = projector.map_err(|error| raise("ProjectionError", error.to_string()))?;
+        let ask = |p: &[f64]| {
+            let altitude = p.get(2).copied().unwrap_or(0.0);
+            let point =
+                projector.from_geodetic(Geodetic { latitude: p[0], longitude: p[1], altitude });
+            point.map(|point| [point.x, point.y, point.z])
+        };
+        converted(py, places, "places", "Inertials", ask)
+    }
+}
+
+/// Three numbers for each row of two or three.
+fn converted<'py>(
+    py: Python<'py>,
+    what: &Bound<'py, PyAny>,
+    name: &str,
+    class: &str,
+    ask: impl Fn(&[f64]) -> Result<[f64; 3], mapd_client::geodesy::ProjectionError> + Sync,
+) -> PyResult<Bound<'py, PyAny>> {
+    let said = |row: usize, error: mapd_client::geodesy::ProjectionError| {
+        raise("ProjectionError", format!("row {row}: {error}"))
+    };
+    if let Some(one) = crate::input::one(what, name, &[2, 3])? {
+        let [a, b, c] = ask(&one).map_err(|error| said(0, error))?;
+        return Ok(pyo3::types::PyTuple::new(py, [a, b, c])?.into_any());
+    }
+    let rows = Rows::of(what, name, &[2, 3])?;
+    let found = py.detach(|| {
+        let mut found: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(rows.len()));
+        for (row, one) in rows.rows().enumerate() {
+            let values = ask(one).map_err(|error| (row, error))?;
+            found.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
+        }
+        Ok(found)
+    });
+    let found = found.map_err(|(row, error)| said(row, error))?;
+    columns(py, class, found.into_iter().map(Column::Numbers).collect(), None)
+}

@@ -1,0 +1,212 @@
+//! Points in the coordinates of lanes, and lanes at points.
+
+use super::Map;
+use crate::batch::{Column, Positions, Speeds, answer, columns, fields, in_row, result};
+use crate::errors::query;
+use crate::held::content;
+use crate::input::{Rows, column, finite, lane_of_id, one_point, places, types_of};
+use crate::lane::Lane;
+use mapd_client::batch::{BatchScratch, NearestLanes, Places};
+use mapd_client::{LaneTypes, Nearest, NearestOptions};
+use pyo3::prelude::*;
+
+impl Map {
+    fn nearest_result<'py>(&self, py: Python<'py>, hit: &Nearest) -> PyResult<Bound<'py, PyAny>> {
+        let at = &hit.position;
+        let lane = Lane::new(&self.0, hit.lane.row());
+        let fields = fields!(
+            py,
+            lane = lane,
+            s = at.s,
+            t = at.t,
+            offset = at.offset,
+            distance = at.distance,
+            z = at.z,
+            heading = at.heading,
+        );
+        result(py, "Nearest", &fields)
+    }
+}
+
+/// What one call asks of all its points, but for the headings.
+fn options(
+    radius: f64,
+    types: Option<&Bound<'_, PyAny>>,
+    z_tolerance: Option<f64>,
+    heading_tolerance: Option<f64>,
+) -> PyResult<NearestOptions> {
+    let types = types.map_or(Ok(LaneTypes::ALL), types_of)?;
+    Ok(NearestOptions {
+        radius,
+        types,
+        z_tolerance,
+        heading_tolerance,
+        ..NearestOptions::default()
+    })
+}
+
+/// A heading for each row, if any.
+fn headings(heading: Option<&Bound<'_, PyAny>>, rows: usize) -> PyResult<Option<Vec<f64>>> {
+    heading.map(|heading| column(heading, "heading", rows)).transpose()
+}
+
+#[pymethods]
+impl Map {
+    /// The lane whose area is nearest in plan view, at most `radius` [m] away; of several, by heading difference, height, offset.
+    ///
+    /// `types` are the lane types that count ("drivable", or OpenDRIVE's names). `z_tolerance` [m] tells levels apart and needs points
+    /// with z; `heading` [rad] of travel breaks ties, and excludes lanes by `heading_tolerance` [rad].
+    #[pyo3(signature = (points, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
+        heading_tolerance = None, out = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn nearest_lane<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        radius: f64,
+        types: Option<&Bound<'py, PyAny>>,
+        z_tolerance: Option<f64>,
+        heading: Option<&Bound<'py, PyAny>>,
+        heading_tolerance: Option<f64>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let mut options = options(radius, types, z_tolerance, heading_tolerance)?;
+        if let Some(point) = one_point(points, "points")? {
+            options.heading = heading.map(|heading| heading.extract()).transpose()?;
+            let hit = self.map().nearest_lane(point, &options).map_err(query)?;
+            return hit.map(|hit| self.nearest_result(py, &hit)).transpose();
+        }
+        let points = Rows::of(points, "points", &[2, 3])?;
+        let headings = headings(heading, points.len())?;
+        let found = answer(py, || {
+            let (map, columns) = (self.map(), points.columns());
+            let places = Places { heading: headings.as_deref(), ..places(&columns) };
+            let (mut scratch, mut found) = (BatchScratch::default(), NearestLanes::default());
+            map.nearest_lanes(places, &options, &mut scratch, &mut found).map_err(in_row)?;
+            Ok(Positions::of(content(map), found))
+        })?;
+        columns(py, "NearestLanes", found.columns(), out).map(Some)
+    }
+
+    /// Every lane within `radius` [m], nearest first; options as of nearest_lane.
+    #[pyo3(signature = (points, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
+        heading_tolerance = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn lanes_near<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        radius: f64,
+        types: Option<&Bound<'py, PyAny>>,
+        z_tolerance: Option<f64>,
+        heading: Option<&Bound<'py, PyAny>>,
+        heading_tolerance: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let mut options = options(radius, types, z_tolerance, heading_tolerance)?;
+        if let Some(point) = one_point(points, "points")? {
+            options.heading = heading.map(|heading| heading.extract()).transpose()?;
+            let mut near = Vec::new();
+            self.map().lanes_near(point, &options, &mut near).map_err(query)?;
+            let hits = near.iter().map(|hit| self.nearest_result(py, hit));
+            let hits = hits.collect::<PyResult<Vec<_>>>()?;
+            return Ok(pyo3::types::PyList::new(py, hits)?.into_any());
+        }
+        let points = Rows::of(points, "points", &[2, 3])?;
+        let headings = headings(heading, points.len())?;
+        let (of, found) = answer(py, || {
+            let map = self.map();
+            let content = content(map);
+            let mut of = Vec::new();
+            let mut found = Positions::default();
+            let mut near = Vec::new();
+            for (row, point) in points.points().enumerate() {
+                options.heading = headings.as_ref().map(|headings| headings[row]);
+                map.lanes_near(point, &options, &mut near).map_err(|error| (row, error))?;
+                for hit in &near {
+                    of.push(row as i64);
+                    found.push(content, hit.lane.row(), &hit.position);
+                }
+            }
+            Ok((of, found))
+        })?;
+        let mut all = vec![Column::Counts(of)];
+        all.extend(found.columns());
+        columns(py, "LanesNear", all, None)
+    }
+
+    /// Each point in the coordinates of its lane.
+    #[pyo3(signature = (lanes, points, *, out = None))]
+    fn position_of<'py>(
+        &self,
+        py: Python<'py>,
+        lanes: &Bound<'py, PyAny>,
+        points: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let points = Rows::of(points, "points", &[2, 3])?;
+        let lanes = crate::input::ids(lanes, "lanes", Some(points.len()))?;
+        let found = answer(py, || {
+            let map = self.map();
+            let content = content(map);
+            let mut found = Positions::with_capacity(points.len());
+            for (row, (point, id)) in points.points().zip(&lanes).enumerate() {
+                let lane = lane_of_id(map, *id).map_err(|error| (row, error))?;
+                let at = lane.position_of(point).map_err(|error| (row, error))?;
+                found.push(content, lane.lane_id().row(), &at);
+            }
+            Ok(found)
+        })?;
+        columns(py, "NearestLanes", found.columns(), out)
+    }
+
+    /// Poses on lanes as their traffic has them, at s [m], `offset` [m] to the left of the lane's centre.
+    #[pyo3(signature = (lanes, s, offset = None, *, out = None))]
+    fn pose_at<'py>(
+        &self,
+        py: Python<'py>,
+        lanes: &Bound<'py, PyAny>,
+        s: &Bound<'py, PyAny>,
+        offset: Option<&Bound<'py, PyAny>>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let lanes = crate::input::ids(lanes, "lanes", None)?;
+        let s = column(s, "s", lanes.len())?;
+        let offset = match offset {
+            Some(offset) => column(offset, "offset", lanes.len())?,
+            None => vec![0.0; lanes.len()],
+        };
+        let found = answer(py, || {
+            let map = self.map();
+            let mut found = crate::batch::Poses::with_capacity(lanes.len());
+            for (row, id) in lanes.iter().enumerate() {
+                let lane = lane_of_id(map, *id).map_err(|error| (row, error))?;
+                found.push(&lane.pose_at(s[row], offset[row]).map_err(|error| (row, error))?);
+            }
+            Ok(found)
+        })?;
+        columns(py, "Poses", found.columns(), out)
+    }
+
+    /// Speed limits on lanes at s [m], signs included.
+    #[pyo3(signature = (lanes, s, *, out = None))]
+    fn speed_rule_at<'py>(
+        &self,
+        py: Python<'py>,
+        lanes: &Bound<'py, PyAny>,
+        s: &Bound<'py, PyAny>,
+        out: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let lanes = crate::input::ids(lanes, "lanes", None)?;
+        let s = column(s, "s", lanes.len())?;
+        let found = answer(py, || {
+            let mut found = Speeds::with_capacity(lanes.len());
+            for (row, id) in lanes.iter().enumerate() {
+                let lane = lane_of_id(self.map(), *id).map_err(|error| (row, error))?;
+                let s = finite(s[row]).map_err(|error| (row, error))?;
+                found.push(&lane.speed_rule_at(s));
+            }
+            Ok(found)
+        })?;
+        columns(py, "SpeedRules", found.columns(), out)
+    }
+}
