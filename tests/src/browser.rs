@@ -11,6 +11,8 @@ use std::time::{Duration, Instant};
 const PROGRAMS: [&str; 2] = ["chromium", "google-chrome"];
 /// A browser that takes longer in all is ended.
 const PATIENCE: Duration = Duration::from_secs(240);
+/// Longest wait for a state, which is generous because machines may be busy.
+const WAIT: Duration = Duration::from_secs(120);
 /// Pause between two looks.
 const PAUSE: Duration = Duration::from_millis(50);
 
@@ -24,7 +26,9 @@ pub struct Browser {
     from: BufReader<ChildStdout>,
     session: Option<String>,
     asked: u64,
-    /// What went wrong in the page: exceptions, refusals by its policy, requests beyond files.
+    /// Where the page is served, if it is.
+    served: Option<String>,
+    /// What went wrong in the page: exceptions, refusals by its policy, requests beyond files and where it is served.
     pub complaints: Vec<String>,
     _profile: tempfile::TempDir,
 }
@@ -65,6 +69,7 @@ impl Browser {
             from: BufReader::new(from),
             session: None,
             asked: 0,
+            served: None,
             complaints: Vec::new(),
             _profile: profile,
         };
@@ -119,7 +124,8 @@ impl Browser {
             }
             Some("Network.requestWillBeSent") => {
                 let url = what["request"]["url"].as_str().unwrap_or_default();
-                if !url.starts_with("file:") && !url.starts_with("blob:") {
+                let is_served = self.served.as_ref().is_some_and(|own| url.starts_with(own));
+                if !url.starts_with("file:") && !url.starts_with("blob:") && !is_served {
                     self.complaints.push(format!("asked for {url}"));
                 }
             }
@@ -130,9 +136,22 @@ impl Browser {
     /// Opens a file, and waits until an expression is true.
     pub fn open(&mut self, file: &Path, ready: &str) {
         self.call("Page.navigate", json!({ "url": format!("file://{}", file.display()) }));
+        self.wait(ready);
+    }
+
+    /// Opens a page that is served at an address, which may ask for more at that address, and waits likewise.
+    pub fn open_served(&mut self, address: &str, ready: &str) {
+        self.served = address.split('#').next().map(str::to_owned);
+        self.call("Page.navigate", json!({ "url": address }));
+        self.wait(ready);
+    }
+
+    /// Waits until an expression is true.
+    pub fn wait(&mut self, state: &str) {
         let begun = Instant::now();
-        while self.evaluate(&format!("Boolean({ready})")) != json!(true) {
-            assert!(begun.elapsed() < PATIENCE, "{ready}; {:?}", self.complaints);
+        while self.evaluate(&format!("Boolean({state})")) != json!(true) {
+            let now = self.evaluate("document.body?.innerText");
+            assert!(begun.elapsed() < WAIT, "{state}; {:?}; {now}", self.complaints);
             std::thread::sleep(PAUSE);
         }
     }

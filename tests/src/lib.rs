@@ -43,6 +43,8 @@ pub mod town;
 pub mod tracer;
 #[cfg(feature = "processes")]
 pub mod two_maps;
+#[cfg(feature = "processes")]
+pub mod view;
 
 use std::path::{Path, PathBuf};
 

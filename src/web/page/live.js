@@ -4,7 +4,14 @@ const ASK = 5000;
 // A page that `mapd view` serves: its maps are fetched, and live ones followed.
 class Live {
   constructor(names, code) {
-    Object.assign(this, { names, code });
+    Object.assign(this, { names, code, number: 0 });
+    this.number = this.named();
+  }
+
+  // The number of the map that the address names; that of the map that is shown if it names none.
+  named() {
+    const at = this.names.indexOf(new URLSearchParams(location.hash.slice(1)).get("map"));
+    return at < 0 ? this.number : at;
   }
 
   // The queries of a map as it is served now.
@@ -23,27 +30,41 @@ class Live {
     if (answer.ok) queries.lay(new Uint8Array(await answer.arrayBuffer()), Number(answer.headers.get("Mapd-Revision")));
   }
 
-  // Follows the first map, and lets the user choose among several.
+  // Follows the map that is shown, and lets the user choose among several.
   show(viewer) {
     this.viewer = viewer;
     const choice = $("maps");
     choice.replaceChildren(...this.names.map((name, i) => element("option", { value: i, textContent: name })));
+    choice.value = this.number;
     choice.hidden = this.names.length < 2;
-    choice.onchange = async () => {
-      viewer.open(await this.load(Number(choice.value)));
-      viewer.fit();
-      this.follow(Number(choice.value));
-    };
+    choice.onchange = () => this.choose(Number(choice.value), () => viewer.fit());
     document.title = this.names.join(", ");
-    this.follow(0);
+    this.follow(this.number);
+  }
+
+  // Shows another map, and what of it `look` brings into view. Of several that are chosen one after the other, the last is shown.
+  async choose(number, look) {
+    this.wanted = number;
+    try {
+      const queries = await this.load(number);
+      if (number !== this.wanted) return;
+      this.number = number;
+      this.viewer.open(queries);
+      look();
+      this.follow(number);
+    } catch (error) {
+      this.viewer.note(error.message);
+    }
+    $("maps").value = this.number;
   }
 
   // Shows who serves a live map, and how many subscribe to it; observers cannot be counted.
   async clients(number) {
-    const answer = await fetch(`status/${number}`).catch(() => null), status = answer?.ok ? await answer.json() : null;
-    if (!status) return $("clients").textContent = "";
-    const { alive, pid, subscribers } = status;
-    $("clients").textContent = alive ? `daemon ${pid} · ${subscribers} ${subscribers === 1 ? "subscriber" : "subscribers"}` : "no daemon";
+    const answer = await fetch(`status/${number}`).catch(() => null), status = answer?.ok && await answer.json();
+    if (number !== this.number) return;
+    const { alive, pid, subscribers } = status || {}, isLive = answer?.ok && this.viewer.map.generation;
+    const said = alive ? `daemon ${pid} · ${subscribers} ${subscribers === 1 ? "subscriber" : "subscribers"}` : "no daemon";
+    $("clients").textContent = isLive ? said : "";
   }
 
   follow(number) {

@@ -20,7 +20,9 @@ const KEYS = [
 const MOMENT = 10000;
 
 class Viewer {
-  constructor(queries) {
+  // `live` is where the maps of a served page come from.
+  constructor(queries, live) {
+    this.live = live;
     this.camera = new Camera($("map"), () => this.changed());
     this.painter = new Painter($("map"), () => { this.upload(); this.changed(); });
     this.labels = new Labels($("labels"));
@@ -256,7 +258,7 @@ class Viewer {
     this.camera.listen((...at) => this.click(...at), (...at) => this.hover(...at));
     addEventListener("resize", () => { this.camera.resize(); this.changed(); });
     addEventListener("keydown", event => this.key(event));
-    addEventListener("hashchange", () => this.readAddress());
+    addEventListener("hashchange", () => this.goToAddress());
     $("fit").onclick = () => this.fit();
     $("route").onclick = () => this.setMode("route");
     $("measure").onclick = () => this.setMode("measure");
@@ -266,17 +268,24 @@ class Viewer {
     new Search(this);
   }
 
-  // The view and what was chosen stand behind the # of the address: x, y [m], pixels a metre, turn [rad].
+  // The view and what was chosen stand behind the # of the address: x, y [m], pixels a metre, turn [rad]; before them the map, if there are several.
   writeAddress() {
     const { camera, chosen } = this, [x, y] = this.far([camera.x, camera.y]);
     const parts = [`at=${x.toFixed(2)},${y.toFixed(2)},${+camera.scale.toPrecision(4)},${+camera.turn.toFixed(3)}`];
+    if (this.live?.names.length > 1) parts.unshift(`map=${encodeURIComponent(this.live.names[this.live.number])}`);
     if (chosen?.kind === "lane") parts.push(`lane=${encodeURIComponent(this.queries.sheet(chosen).title.replace(/^Lane /, ""))}`);
     else if (chosen) parts.push(`${chosen.kind}=${chosen.row}`);
     try { history.replaceState(null, "", `#${parts.join("&")}`); } catch { /* Some browsers forbid it to files. */ }
   }
 
-  readAddress() {
-    const parts = new URLSearchParams(location.hash.slice(1)), at = (parts.get("at") ?? "").split(",").map(Number);
+  goToAddress() {
+    const { live } = this, { hash } = location;
+    if (live && live.named() !== live.number) return live.choose(live.named(), () => this.readAddress(hash) || this.fit());
+    this.readAddress();
+  }
+
+  readAddress(hash = location.hash) {
+    const parts = new URLSearchParams(hash.slice(1)), at = (parts.get("at") ?? "").split(",").map(Number);
     const isPlace = at.length === 4 && at.every(Number.isFinite) && at[2] > 0;
     if (isPlace) {
       const [x, y] = this.near(at[0], at[1]);
@@ -298,10 +307,10 @@ async function start() {
   try {
     const code = await embedded("module"), served = JSON.parse($("served").textContent);
     const live = served && new Live(served, code);
-    const queries = live ? await live.load(0) : await Queries.open(code, await embedded("archive"), 0);
+    const queries = live ? await live.load(live.number) : await Queries.open(code, await embedded("archive"), 0);
     if (!live) queries.lay(await embedded("overlay"));
     $("message").textContent = "";
-    const viewer = globalThis.viewer = new Viewer(queries);
+    const viewer = globalThis.viewer = new Viewer(queries, live);
     live?.show(viewer);
     viewer.paint();
     viewer.ready = performance.now() - begun;

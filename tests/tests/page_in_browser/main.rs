@@ -4,6 +4,7 @@
 mod actions;
 mod answers;
 mod drawing;
+mod live;
 
 use mapd_client::{Road, Snapshot};
 use mapd_tests::browser::Browser;

@@ -3,57 +3,11 @@
 use mapd_client::{Attach, Client};
 use mapd_tests::maps::open;
 use mapd_tests::test_domain::{PATIENCE, TestDomain};
-use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
-use std::process::{Child, Stdio};
+use mapd_tests::view::View;
+use std::io::{BufRead, Read};
 
 fn place() -> TestDomain {
     TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"))
-}
-
-struct View {
-    child: Child,
-    port: u16,
-}
-
-impl View {
-    fn start(place: &TestDomain, arguments: &[&str]) -> Self {
-        let mut command = place.command();
-        let mut child =
-            command.arg("view").args(arguments).stdout(Stdio::piped()).spawn().expect("runs");
-        let mut line = String::new();
-        let out = child.stdout.take().expect("a pipe");
-        BufReader::new(out).read_line(&mut line).expect("an address");
-        let port = line.trim().trim_end_matches('/').rsplit(':').next().expect("a port");
-        Self { port: port.parse().unwrap_or_else(|_| panic!("{line}")), child }
-    }
-
-    /// Sends a request as it is written, with the port in the place of `PORT`.
-    fn send(&self, request: &str) -> BufReader<TcpStream> {
-        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).expect("connects");
-        stream.set_read_timeout(Some(PATIENCE)).expect("a timeout");
-        let request = request.replace("PORT", &self.port.to_string());
-        stream.write_all(request.as_bytes()).expect("sent");
-        BufReader::new(stream)
-    }
-
-    /// Status and body.
-    fn ask(&self, request: &str) -> (u16, Vec<u8>) {
-        let mut answer = Vec::new();
-        self.send(request).read_to_end(&mut answer).expect("an answer");
-        let end = answer.windows(4).position(|end| end == b"\r\n\r\n").expect("a head");
-        let head = String::from_utf8_lossy(&answer[..end]).into_owned();
-        let status = head.split(' ').nth(1).and_then(|status| status.parse().ok());
-        (status.unwrap_or_else(|| panic!("{head}")), answer.split_off(end + 4))
-    }
-}
-
-impl Drop for View {
-    fn drop(&mut self) {
-        // It may have ended.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
 }
 
 #[test]
@@ -89,6 +43,22 @@ fn only_this_machine_is_answered() {
     assert!(answer.is_empty(), "{}", String::from_utf8_lossy(&answer));
     let page = String::from_utf8(get("/", us).1).expect("UTF-8");
     assert!(page.contains("connect-src 'self'; ") && page.contains(">[\"one_road\"]<"));
+}
+
+/// Maps of one name are told apart by their sources.
+#[test]
+fn maps_of_one_name_are_named_in_full() {
+    let (place, file) = (place(), mapd_tests::carried("one_road.xodr"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let (copy, other) = (folder.path().join("one_road.xodr"), folder.path().join("other.xodr"));
+    for name in [&copy, &other] {
+        std::fs::copy(&file, name).expect("copied");
+    }
+    let sources = [&file, &copy, &other].map(|path| path.to_str().expect("a path"));
+    let view = View::start(&place, &sources);
+    let page = view.ask("GET / HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n").1;
+    let names = serde_json::json!([sources[0], sources[1], "other"]).to_string();
+    assert!(String::from_utf8(page).expect("UTF-8").contains(&format!(">{names}<")), "{names}");
 }
 
 /// Names stay refused, so that DNS rebinding finds nothing there either.

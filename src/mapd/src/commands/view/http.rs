@@ -116,8 +116,18 @@ impl Server {
         is_named && port.parse() == Ok(self.port)
     }
 
+    /// What the page calls the maps: those of the same name as they were named in full.
+    fn names(&self) -> Vec<String> {
+        let is_alone =
+            |name: &String| self.maps.iter().filter(|map| map.name() == *name).count() == 1;
+        let name = |map: &Served| {
+            Some(map.name()).filter(is_alone).unwrap_or_else(|| map.source().to_owned())
+        };
+        self.maps.iter().map(name).collect()
+    }
+
     fn page(&self, stream: &mut TcpStream) -> io::Result<()> {
-        let names: Vec<String> = self.maps.iter().map(Served::name).collect();
+        let names = self.names();
         let mut body = Vec::new();
         page::write(page::Content::Served(&names), "mapd", &mut body)?;
         ok(stream, "text/html; charset=utf-8", &format!("Content-Length: {}\r\n", body.len()))?;
