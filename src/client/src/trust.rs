@@ -75,7 +75,7 @@ pub enum TrustError {
     },
     /// The archive was changed after it was signed.
     #[error(
-        "{archive} is not what was signed: the archive or its signature has been altered; get both again from their source"
+        "{archive} is not what was signed: the file or its signature has been altered; get both again from their source"
     )]
     Altered {
         /// The archive.

@@ -101,9 +101,9 @@ enum Command {
     /// Looks at memory, limits, stale files, versions, permissions and attaching.
     #[command(after_help = "Exit codes: 0 no problems, 1 problems.")]
     Doctor(DoctorCommand),
-    /// Sign archives with Ed25519, in minisign's format
+    /// Sign archives and entries of overlays with Ed25519, in minisign's format
     ///
-    /// With --trust, daemon and clients refuse all others.
+    /// With --trust, daemon and clients refuse all other archives; with --overlay-trust, the daemon all other entries.
     Sign(SignCommand),
     #[command(name = bench::SUBCOMMAND, hide = true)]
     BenchClient(BenchClientCommand),

@@ -4,7 +4,7 @@ use crate::serve::ServeError;
 use mapd_client::{ClientError, TrustError};
 use std::path::{Path, PathBuf};
 
-/// Something that a signature cannot stand for.
+/// Something that a signature cannot stand for, or that has none.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum NotSignable {
     /// An OpenDRIVE file: what it includes, and how it is compiled, would not be covered.
@@ -22,6 +22,19 @@ pub(crate) enum NotSignable {
     Live {
         /// The source.
         name: String,
+    },
+    /// Entries of an overlay that came without a signature.
+    #[error(
+        "the entries are not signed, and the daemon takes only signed ones (--overlay-trust): `mapd sign FILE --key SECRET` signs a file of entries; a WZDx feed cannot be signed, for lanes are found for it before it is sent"
+    )]
+    Unsigned,
+    /// An entry that is kept without a signature.
+    #[error(
+        "entry {id:?} is not signed, and --overlay-trust takes only signed ones: apply what it says signed, or start without --overlay-trust"
+    )]
+    Kept {
+        /// Its name.
+        id: String,
     },
 }
 

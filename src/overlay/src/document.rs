@@ -93,7 +93,10 @@ impl Document {
         Ok(document)
     }
 
-    fn check(&self, limits: &Limits) -> Result<(), DocumentError> {
+    /// Checks what [`Document::read`] checks beyond the form, for entries that were read otherwise.
+    ///
+    /// Errors: the first thing that is wrong, with its entry and field.
+    pub fn check(&self, limits: &Limits) -> Result<(), DocumentError> {
         if self.entries.len() > limits.entries {
             return Err(DocumentError::Entries { found: self.entries.len(), most: limits.entries });
         }

@@ -13,6 +13,7 @@ mod many_maps;
 mod observers;
 mod observers_hostile;
 mod overlays;
+mod overlays_signed;
 mod oversight;
 mod patches;
 mod processes;

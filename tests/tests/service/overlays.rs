@@ -269,13 +269,18 @@ fn it_outlives_the_daemon() {
     assert_eq!(closes(&client.snapshot()).as_deref(), Some("works"));
     let fresh = scene.client(Attach::Observer);
     assert_eq!(closes(&fresh.snapshot()).as_deref(), Some("works"), "what a killed daemon left");
-    let _daemon = scene.place.serve(&scene.args());
+    let last = scene.place.serve(&scene.args());
     let next = client.wait_next(PATIENCE).expect("the next generation");
     assert_eq!(closes(&next).as_deref(), Some("works"));
     // A file that cannot be read is told, and no closure forgotten in silence.
     let state =
         scene.place.cache().join(format!("{}town.overlay.json", scene.place.domain().prefix()));
-    assert!(state.exists());
+    assert_eq!(last.stop(), 0);
+    fs::write(&state, "{").expect("written");
+    let starts = scene.place.command().arg("--load").args(scene.args()).output().expect("ends");
+    let said = String::from_utf8_lossy(&starts.stderr);
+    assert_eq!(starts.status.code(), Some(1), "{said}");
+    assert!(said.contains(state.to_str().expect("a name")), "{said}");
 }
 
 /// No reader sees a generation without what is laid over it; what does not fit a new map is told, and comes back with the old one.

@@ -20,15 +20,7 @@ impl Signed {
     fn new() -> Self {
         let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
         let folder = tempfile::tempdir().expect("a folder");
-        for name in ["ours", "theirs"] {
-            let pair = minisign::KeyPair::generate_unencrypted_keypair().expect("keys");
-            let write = |ending: &str, text: String| {
-                std::fs::write(folder.path().join(format!("{name}.{ending}")), text)
-                    .expect("written");
-            };
-            write("pub", pair.pk.to_box().expect("a key").into_string());
-            write("key", pair.sk.to_box(None).expect("a key").into_string());
-        }
+        write_keys(folder.path());
         let archive = folder.path().join("town.mapd");
         let this = Self { place, folder, archive };
         let town = mapd_tests::carried("town.xodr").display().to_string();
@@ -71,6 +63,18 @@ impl Signed {
             assert!(said(&output).contains(words), "{args:?}: {}", said(&output));
         }
         assert!(self.place.segments().is_empty(), "something is left behind");
+    }
+}
+
+/// Two pairs of keys without passwords: `ours.pub` and `ours.key`, `theirs.pub` and `theirs.key`.
+pub(super) fn write_keys(folder: &Path) {
+    for name in ["ours", "theirs"] {
+        let pair = minisign::KeyPair::generate_unencrypted_keypair().expect("keys");
+        let write = |ending: &str, text: String| {
+            std::fs::write(folder.join(format!("{name}.{ending}")), text).expect("written");
+        };
+        write("pub", pair.pk.to_box().expect("a key").into_string());
+        write("key", pair.sk.to_box(None).expect("a key").into_string());
     }
 }
 

@@ -1,15 +1,18 @@
-//! `mapd sign`: signatures in minisign's format, beside the archive.
+//! `mapd sign`: signatures in minisign's format, beside the file.
 
+use super::overlay::read_document;
 use crate::exit::Exit;
+use crate::source::is_archive;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use ct_codecs::{Base64, Decoder};
 use mapd_archive::verify;
 use mapd_client::{Snapshot, signature_path};
+use mapd_overlay::{Document, Limits};
 use minisign::{SecretKey, SecretKeyBox};
 use serde::Serialize;
 use std::io::{Cursor, IsTerminal, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Environment variable of the secret key's password, for where nobody can type it.
 const PASSWORD_VARIABLE: &str = "MAPD_SIGN_PASSWORD";
@@ -17,22 +20,22 @@ const PASSWORD_VARIABLE: &str = "MAPD_SIGN_PASSWORD";
 /// What to sign.
 #[derive(Args)]
 pub(crate) struct SignCommand {
-    /// Archives (.mapd)
-    #[arg(required = true)]
-    archives: Vec<PathBuf>,
+    /// Archives (.mapd), or entries of overlays (.json)
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
     /// Secret key, as `minisign -G` writes it; asks for the password, or takes MAPD_SIGN_PASSWORD
     #[arg(long, value_name = "SECRET")]
     key: PathBuf,
     /// Print JSON: a list of what was signed
     #[arg(long)]
     json: bool,
-    /// Comment that is signed too [default: time, name of the archive and hash of its content]
+    /// Comment that is signed too [default: time, name of the file, and an archive's hash of its content]
     #[arg(long, value_name = "TEXT")]
     comment: Option<String>,
 }
 
 impl SignCommand {
-    /// Signs archives.
+    /// Signs files.
     ///
     /// Errors: as [`sign`].
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
@@ -44,51 +47,45 @@ impl SignCommand {
 /// A signature that was made.
 #[derive(Serialize)]
 struct Signed {
-    archive: PathBuf,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    archive: Option<PathBuf>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    overlay: Option<PathBuf>,
     signature: PathBuf,
-    content_hash: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    content_hash: Option<String>,
 }
 
-/// Signs archives; each is proved first, for nobody should sign what nobody can read.
+/// Signs files; each is proved first, for nobody should sign what nobody can read.
 ///
-/// Errors: the key cannot be had; an archive cannot be read or does not prove; its signature cannot be written.
+/// Errors: the key cannot be had; a file cannot be read or does not prove; its signature cannot be written.
 fn sign(args: &SignCommand, out: &mut dyn Write) -> Result<()> {
     let key = secret_key(&args.key)?;
     let mut signed = Vec::new();
-    for path in &args.archives {
-        let snapshot = Snapshot::open(path)?;
-        let name = path.display();
-        let header = verify(snapshot.bytes()).with_context(|| name.to_string())?.header;
-        let content = crate::report::hex(&header.content_hash);
-        let comment = match &args.comment {
-            Some(comment) if comment.contains(['\n', '\r']) => {
-                bail!("--comment: expected one line, found several")
+    for path in &args.files {
+        let made = match is_archive(path) {
+            true => {
+                let snapshot = Snapshot::open(path)?;
+                let proved = verify(snapshot.bytes()).with_context(|| path.display().to_string());
+                let content = crate::report::hex(&proved?.header.content_hash);
+                let signature = write(args, &key, path, snapshot.bytes(), Some(&content))?;
+                let archive = Some(path.clone());
+                Signed { archive, overlay: None, signature, content_hash: Some(content) }
             }
-            Some(comment) => comment.clone(),
-            None => {
-                let file = path.file_name().unwrap_or_default().to_string_lossy();
-                let seconds = crate::clock::since_epoch().as_secs();
-                format!("timestamp:{seconds}\tfile:{file}\tcontent:{content}")
+            false => {
+                let text = read_entries(path)?;
+                let signature = write(args, &key, path, text.as_bytes(), None)?;
+                let overlay = Some(path.clone());
+                Signed { archive: None, overlay, signature, content_hash: None }
             }
         };
-        let signature = minisign::sign(
-            None,
-            &key,
-            Cursor::new(snapshot.bytes()),
-            Some(&comment),
-            Some("signature of a map archive"),
-        )
-        .with_context(|| format!("signing {name}"))?;
-        let to = signature_path(path);
-        // Written anew and renamed, so that a daemon that looks meanwhile sees the old one or the new one.
-        let new = to.with_extension(format!("minisig.{}.tmp", std::process::id()));
-        std::fs::write(&new, signature.into_string())
-            .and_then(|()| std::fs::rename(&new, &to))
-            .with_context(|| format!("writing {}", to.display()))?;
         if !args.json {
-            writeln!(out, "{}: content {content}", to.display())?;
+            match &made.content_hash {
+                Some(content) => writeln!(out, "{}: content {content}", made.signature.display())?,
+                None => writeln!(out, "{}", made.signature.display())?,
+            }
         }
-        signed.push(Signed { archive: path.clone(), signature: to, content_hash: content });
+        signed.push(made);
     }
     if args.json {
         serde_json::to_writer_pretty(&mut *out, &signed)?;
@@ -97,7 +94,54 @@ fn sign(args: &SignCommand, out: &mut dyn Write) -> Result<()> {
     Ok(())
 }
 
-fn secret_key(path: &std::path::Path) -> Result<SecretKey> {
+/// The text of a document of entries, proved.
+///
+/// Errors: it cannot be read, or is none.
+fn read_entries(path: &Path) -> Result<String> {
+    let text = read_document(path)?;
+    let limits = Limits { entries: usize::MAX, bytes: usize::MAX };
+    Document::read(text.as_bytes(), &limits).with_context(|| {
+        format!("{}: neither an archive (.mapd) nor entries of an overlay", path.display())
+    })?;
+    Ok(text)
+}
+
+/// Signs bytes of a file, beside which the signature is written; where that is.
+fn write(
+    args: &SignCommand,
+    key: &SecretKey,
+    path: &Path,
+    bytes: &[u8],
+    content: Option<&str>,
+) -> Result<PathBuf> {
+    let comment = match &args.comment {
+        Some(comment) if comment.contains(['\n', '\r']) => {
+            bail!("--comment: expected one line, found several")
+        }
+        Some(comment) => comment.clone(),
+        None => {
+            let file = path.file_name().unwrap_or_default().to_string_lossy();
+            let seconds = crate::clock::since_epoch().as_secs();
+            let content = content.map(|hash| format!("\tcontent:{hash}")).unwrap_or_default();
+            format!("timestamp:{seconds}\tfile:{file}{content}")
+        }
+    };
+    let untrusted = match content {
+        Some(_) => "signature of a map archive",
+        None => "signature of entries of an overlay",
+    };
+    let signature = minisign::sign(None, key, Cursor::new(bytes), Some(&comment), Some(untrusted))
+        .with_context(|| format!("signing {}", path.display()))?;
+    let to = signature_path(path);
+    // Written anew and renamed, so that a daemon that looks meanwhile sees the old one or the new one.
+    let new = to.with_extension(format!("minisig.{}.tmp", std::process::id()));
+    std::fs::write(&new, signature.into_string())
+        .and_then(|()| std::fs::rename(&new, &to))
+        .with_context(|| format!("writing {}", to.display()))?;
+    Ok(to)
+}
+
+fn secret_key(path: &Path) -> Result<SecretKey> {
     let name = path.display();
     let text = std::fs::read_to_string(path).with_context(|| format!("reading {name}"))?;
     if let Some(key) = without_password(&text) {

@@ -49,6 +49,9 @@ pub enum OverlayAction {
         /// The feed that it is all of: of that, what it does not have is removed.
         #[serde(default)]
         feed: Option<String>,
+        /// Of the document's bytes, in minisign's format.
+        #[serde(default)]
+        signature: Option<String>,
     },
     /// Change nothing.
     List,

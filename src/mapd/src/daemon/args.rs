@@ -14,7 +14,7 @@ use crate::cache::{self, Cache};
 use crate::exit::{UsageError, explained};
 use anyhow::{Context, Result, bail};
 use clap::Args;
-use mapd_client::Domain;
+use mapd_client::{Domain, TrustedKey};
 use mapd_overlay::{Limits, Policy};
 use mapd_transport::{Share, check_map_name};
 use std::collections::BTreeSet;
@@ -88,6 +88,10 @@ pub(crate) struct DaemonArgs {
     /// Take entries of overlays that processes on board propose, as this policy allows (docs/overlay.md) [default: none]
     #[arg(long, value_name = "FILE")]
     overlay_from: Option<PathBuf>,
+
+    /// Take only entries of overlays that are signed with this minisign key; the signature is in FILE.minisig (docs/overlay.md)
+    #[arg(long, value_name = "KEY.pub")]
+    overlay_trust: Option<PathBuf>,
 
     /// Keep served maps in memory, never in swap; the limit of locked memory (ulimit -l) must allow twice the largest map
     #[arg(long)]
@@ -205,7 +209,9 @@ impl DaemonArgs {
         let entries = self.overlay_entries.or(file.overlay_entries).unwrap_or(default.entries);
         let may_loosen = self.overlay_may_loosen || file.overlay_may_loosen;
         let limits = Limits { entries, bytes: bytes as usize };
-        Ok(OverlayRules { limits, policy: Policy { may_loosen } })
+        let trust = self.overlay_trust.as_ref().or(file.overlay_trust.as_ref());
+        let trust = trust.map(TrustedKey::open).transpose()?;
+        Ok(OverlayRules { limits, policy: Policy { may_loosen }, trust })
     }
 
     /// The cache. One that was asked for must be usable; the default one is done without if it is not.

@@ -31,6 +31,7 @@ pub(crate) struct Configuration {
     pub(crate) overlay_entries: Option<usize>,
     pub(crate) overlay_bytes: Option<Size>,
     pub(crate) overlay_from: Option<PathBuf>,
+    pub(crate) overlay_trust: Option<PathBuf>,
     pub(crate) share: Option<ShareWith>,
     pub(crate) trust: Option<PathBuf>,
     pub(crate) oversight: OversightSettings,
@@ -59,6 +60,7 @@ struct File {
     overlay_entries: Option<usize>,
     overlay_bytes: Option<Size>,
     overlay_from: Option<PathBuf>,
+    overlay_trust: Option<PathBuf>,
     share: Option<ShareWith>,
     trust: Option<PathBuf>,
     metrics: Option<SocketAddr>,
@@ -145,6 +147,7 @@ impl Configuration {
             overlay_entries: file.overlay_entries,
             overlay_bytes: file.overlay_bytes,
             overlay_from: file.overlay_from.map(|policy| folder.join(policy)),
+            overlay_trust: file.overlay_trust.map(|key| folder.join(key)),
             share: file.share,
             trust: file.trust.map(|key| folder.join(key)),
             oversight: OversightSettings {

@@ -16,6 +16,7 @@ mod changes;
 mod child;
 mod config;
 mod desk;
+mod kept;
 mod log;
 mod maps;
 mod orders;
@@ -128,7 +129,7 @@ pub(crate) fn run(
         server.keep_generations_in(cache.folder());
     }
     let folder = preparer.cache.as_ref().map(|cache| cache.folder().to_owned());
-    let mut overlays = Overlays::new(overlay, domain.clone(), folder.clone());
+    let mut overlays = Overlays::new(overlay.clone(), domain.clone(), folder.clone());
     let judge = match (proposals, &folder) {
         (None, _) => None,
         (Some(_), None) => bail!(UsageError(
@@ -168,7 +169,7 @@ pub(crate) fn run(
         state.fell_back(map, reason);
     }
     let desk = state.overlays.desk.clone();
-    let reader = Reader { limits: overlay.limits, desk: desk.clone() };
+    let reader = Reader { limits: overlay.limits, trust: overlay.trust, desk: desk.clone() };
     let control = answer_with(board.clone(), orders.clone(), reader);
     // Maps are served without control rather than not at all.
     let control = ControlListener::start(&domain, &names, control)
@@ -277,7 +278,7 @@ fn answer_with(
             Request::Overlay { map, action } => {
                 let action = match reader.read(&map, action) {
                     Ok(action) => action,
-                    Err(error) => return Response::Wrong { reason: error.to_string() },
+                    Err(error) => return Response::Wrong { reason: explained(&error) },
                 };
                 let (reply, outcome) = channel();
                 orders.give(Order::Overlay(OverlayOrder {

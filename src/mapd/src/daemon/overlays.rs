@@ -2,6 +2,7 @@
 
 use super::ByName;
 use super::desk::{Desk, OWN_MAP, on_archive};
+use super::kept::{self, Kept, Signed};
 use super::maps::Maps;
 use super::prepare::Prepared;
 use super::proposals::{Audit, Line};
@@ -11,10 +12,9 @@ use crate::exit::explained;
 use crate::serve::{OverlayBytes, ServeError};
 use anyhow::{Context, Result, bail};
 use mapd_archive::{HEADER_LENGTH, Header, encode_overlay};
-use mapd_client::{Attach, Client, Map};
-use mapd_overlay::{Document, DocumentError, Limits, Moment, Policy, Unplaced};
-use mapd_transport::{Domain, read_regular, replace_text_durably};
-use std::io;
+use mapd_client::{Attach, Client, Map, TrustedKey};
+use mapd_overlay::{Document, Limits, Moment, Policy, Unplaced};
+use mapd_transport::{Domain, replace_text_durably};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
@@ -22,17 +22,19 @@ use std::sync::mpsc::Sender;
 /// Suffix of the file that keeps a map's entries.
 const SUFFIX: &str = ".overlay.json";
 
-/// Longest such file that is read, for each byte that a document may have: it is written anew, in the longest form.
+/// Longest such file, for each byte that a document may have: it has entries of many documents, in the longest form.
 const STATE_PER_BYTE: u64 = 4;
 
 /// Names of entries that a line of the audit log has at most.
 const MOST_TOLD: usize = 50;
 
 /// What may be laid over maps.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct OverlayRules {
     pub(crate) limits: Limits,
     pub(crate) policy: Policy,
+    /// The key that must have signed entries, but for those of proposals; none: nobody need sign.
+    pub(crate) trust: Option<TrustedKey>,
 }
 
 /// Something to be done with an overlay, and who waits for what comes of it.
@@ -46,7 +48,7 @@ pub(crate) struct OverlayOrder {
 
 /// What is to be done, read.
 pub(crate) enum Action {
-    Apply { document: Document, feed: Option<String> },
+    Apply { document: Document, feed: Option<String>, signed: Option<Signed> },
     List,
     Remove { ids: Vec<String> },
     Clear,
@@ -55,36 +57,27 @@ pub(crate) enum Action {
 /// What requests are read with, in threads of their own.
 pub(crate) struct Reader {
     pub(crate) limits: Limits,
+    pub(crate) trust: Option<TrustedKey>,
     pub(crate) desk: Arc<Desk>,
 }
 
 impl Reader {
     /// Reads what is asked, and works out where new entries hold: the main thread has only to put them together.
     ///
-    /// Errors: what is wrong with it.
-    pub(crate) fn read(&self, map: &str, action: OverlayAction) -> Result<Action, DocumentError> {
+    /// Errors: what is wrong with it, or with its signature.
+    pub(crate) fn read(&self, map: &str, action: OverlayAction) -> Result<Action> {
         Ok(match action {
-            OverlayAction::Apply { document, feed } => {
-                let mut document = Document::read(document.as_bytes(), &self.limits)?;
-                if let Some(feed) = &feed {
-                    document.set_feed(feed);
-                }
+            OverlayAction::Apply { document, feed, signature } => {
+                let rules = (self.trust.as_ref(), &self.limits);
+                let (document, signed) = kept::take(document, signature, feed.as_deref(), rules)?;
                 self.desk.place_on_served(map, &document);
-                Action::Apply { document, feed }
+                Action::Apply { document, feed, signed }
             }
             OverlayAction::List => Action::List,
             OverlayAction::Remove { ids } => Action::Remove { ids },
             OverlayAction::Clear => Action::Clear,
         })
     }
-}
-
-/// What is laid over one map.
-#[derive(Clone, Default)]
-struct Kept {
-    document: Document,
-    unplaced: Vec<Unplaced>,
-    revision: u64,
 }
 
 /// What is laid over all maps.
@@ -118,34 +111,30 @@ impl Overlays {
     ///
     /// Errors: the file is there and cannot be read. A closure must not be forgotten in silence.
     pub(super) fn load(&mut self, map: &str) -> Result<()> {
-        let mut kept = Kept { revision: unix_ns() / 1_000_000, ..Kept::default() };
+        let mut kept = Kept::default();
         if let Some(path) = self.file(map) {
-            let limits = Limits { bytes: usize::MAX, entries: usize::MAX };
-            let longest = STATE_PER_BYTE.saturating_mul(self.rules.limits.bytes as u64);
-            match read_regular(&path, longest) {
-                Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-                text => {
-                    let read = || {
-                        format!(
-                            "reading {}, which keeps what is laid over the map; remove it to go on without",
-                            path.display()
-                        )
-                    };
-                    kept.document = Document::read(text.with_context(read)?.as_bytes(), &limits)
-                        .with_context(read)?;
-                }
-            }
+            let (trust, proposals) = (self.rules.trust.as_ref(), self.audit.is_some());
+            kept = Kept::load(&path, self.longest_state(), trust, proposals).with_context(|| {
+                format!(
+                    "reading {}, which keeps what is laid over the map; remove it to go on without",
+                    path.display()
+                )
+            })?;
         }
+        kept.revision = unix_ns() / 1_000_000;
         self.desk.note(map, &kept.document);
         self.maps.insert(map.to_owned(), kept);
         Ok(())
     }
 
-    fn save(&self, map: &str, document: &Document) -> io::Result<()> {
-        match self.file(map) {
-            Some(path) => replace_text_durably(&path, &document.to_json()),
-            None => Ok(()),
-        }
+    /// Longest file that keeps entries \[bytes\]: a longer one is not written.
+    fn longest_state(&self) -> u64 {
+        STATE_PER_BYTE.saturating_mul(self.rules.limits.bytes as u64)
+    }
+
+    fn save(&self, map: &str, state: &str) -> Result<()> {
+        let Some(path) = self.file(map) else { return Ok(()) };
+        replace_text_durably(&path, state).context("keeping what is laid over the map")
     }
 
     /// The overlay of a generation that is about to be served; none where nothing is said.
@@ -258,27 +247,28 @@ impl Maps {
         let mut next = before.clone();
         next.document.forget_ended(now());
         let limits = &self.overlays.rules.limits;
-        let (what, applied) = match action {
+        let (what, applied, from) = match action {
             Action::List => return self.listed(map),
-            Action::Apply { document, feed } => {
+            Action::Apply { document, feed, signed } => {
                 if let Some(feed) = &feed {
                     next.document.forget_of_feed(feed, &document);
                 }
                 let ids: Vec<String> = document.entries.iter().map(|e| e.id.clone()).collect();
                 match next.document.apply(document, limits) {
-                    Ok(()) => ("applied", ids),
+                    Ok(()) => ("applied", ids, signed),
                     Err(error) => return Response::Wrong { reason: error.to_string() },
                 }
             }
             Action::Remove { ids } => match next.document.remove(&ids) {
-                Ok(()) => ("removed", ids),
+                Ok(()) => ("removed", ids, None),
                 Err(id) => return Response::Wrong { reason: format!("there is no entry {id:?}") },
             },
             Action::Clear => {
                 next.document.entries.clear();
-                ("cleared", Vec::new())
+                ("cleared", Vec::new(), None)
             }
         };
+        next.settle(&applied, from);
         match self.lay(map, next, &applied) {
             Ok(None) => {
                 let entries = self.overlays.maps.get(map).map_or(0, |k| k.document.entries.len());
@@ -304,12 +294,17 @@ impl Maps {
         }
         next.unplaced = unplaced;
         let Some(before) = self.overlays.maps.get(map).cloned() else { bail!("nothing is served") };
-        self.overlays.save(map, &next.document).context("keeping what is laid over the map")?;
+        let (state, longest) = (next.text(), self.overlays.longest_state());
+        if state.len() as u64 > longest {
+            let length = state.len();
+            return Ok(Some(format!(
+                "all entries would take {length} bytes with what is laid over the map already; at most {longest} are kept, {STATE_PER_BYTE} times --overlay-bytes"
+            )));
+        }
+        self.overlays.save(map, &state)?;
         if let Err(error) = self.server.lay(map, overlay.as_ref()) {
             // What readers see is what is kept.
-            self.overlays
-                .save(map, &before.document)
-                .context("keeping what is laid over the map")?;
+            self.overlays.save(map, &before.text())?;
             return Err(error.into());
         }
         self.overlays.desk.note(map, &next.document);

@@ -7,6 +7,7 @@ use crate::cache::Identity;
 use crate::control::OverlayAction;
 use crate::exit::{UsageError, explained};
 use anyhow::{Result, bail};
+use mapd_client::{SIGNATURE_SUFFIX, signature_path};
 use mapd_overlay::Document;
 use mapd_transport::list_maps;
 use std::collections::{BTreeMap, BTreeSet};
@@ -25,8 +26,11 @@ struct Followed<'a> {
     is_folder: bool,
 }
 
+/// A file and its signature: one that comes after its file is a change as well.
+type Version = (Identity, Option<Identity>);
+
 /// A state that a file was applied in, and the generation that it was matched with.
-type Applied = (Identity, Option<u64>);
+type Applied = (Version, Option<u64>);
 
 /// Applies what is followed whenever it changes, or the map does. Ends only with the process.
 ///
@@ -56,8 +60,8 @@ pub(super) fn follow(
         });
         let mut failed = None;
         if now == last {
-            for (file, identity) in &now {
-                let state = (*identity, served);
+            for (file, version) in &now {
+                let state = (*version, served);
                 if done.get(file) == Some(&state) {
                     continue;
                 }
@@ -82,7 +86,13 @@ pub(super) fn follow(
             if followed.is_folder && swept.as_ref() != Some(&files) {
                 match followed.sweep(command, &files) {
                     Ok(()) => swept = Some(files),
-                    Err(error) => failed = Some(explained(&error)),
+                    Err(error) => {
+                        failed = Some(explained(&error));
+                        // A daemon that takes only signed entries goes on to refuse it.
+                        if error.is::<UsageError>() {
+                            swept = Some(files);
+                        }
+                    }
                 }
             }
             out.flush()?;
@@ -99,18 +109,23 @@ pub(super) fn follow(
 
 impl Followed<'_> {
     /// The files that are there, and their states.
-    fn look(&self) -> BTreeMap<PathBuf, Identity> {
+    fn look(&self) -> BTreeMap<PathBuf, Version> {
         let mut files = vec![self.path.to_owned()];
         if self.is_folder {
             let found = std::fs::read_dir(self.path).into_iter().flatten().flatten();
             // Fetchers write beside the name, under one that begins with a dot, and rename.
             let is_seen = |path: &PathBuf| {
                 let name = path.file_name().and_then(|name| name.to_str());
-                name.is_some_and(|name| !name.starts_with('.')) && path.is_file()
+                let is_document =
+                    |name: &str| !name.starts_with('.') && !name.ends_with(SIGNATURE_SUFFIX);
+                name.is_some_and(is_document) && path.is_file()
             };
             files = found.map(|entry| entry.path()).filter(is_seen).collect();
         }
-        let known = |file: PathBuf| Identity::of(&file).ok().map(|identity| (file, identity));
+        let known = |file: PathBuf| {
+            let signature = Identity::of(&signature_path(&file)).ok();
+            Identity::of(&file).ok().map(|identity| (file, (identity, signature)))
+        };
         files.into_iter().filter_map(known).collect()
     }
 
@@ -128,7 +143,11 @@ impl Followed<'_> {
         for feed in feeds.into_iter().filter(|feed| feed.starts_with(&own)) {
             if !known.contains(&feed) {
                 let document = Document::default().to_json();
-                command.ask(OverlayAction::Apply { document, feed: Some(feed) })?;
+                command.ask(OverlayAction::Apply {
+                    document,
+                    feed: Some(feed),
+                    signature: None,
+                })?;
             }
         }
         Ok(())

@@ -10,7 +10,7 @@ use crate::exit::{Exit, UsageError, explained};
 use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
 use feed::matched;
-use mapd_client::{Attach, Client};
+use mapd_client::{Attach, Client, TrustError, read_signature};
 use mapd_overlay::{FeedFinding, Moment, WIDEST_TOLERANCE, WZDX_TOLERANCE};
 use serde_json::{Value, json};
 use std::fs::File;
@@ -46,7 +46,7 @@ enum Action {
     /// Take over the entries of a JSON file, or of stdin (-); those of the same id are replaced. All of them, or none. Of a WZDx
     /// feed, those that the map has a place for; the others are told
     Apply {
-        /// The file (schemas/overlay.schema.json, or a WZDx 4.2 feed of work zones), or - for stdin
+        /// The file (schemas/overlay.schema.json, or a WZDx 4.2 feed of work zones), or - for stdin; its signature, if there is one, is in FILE.minisig
         file: PathBuf,
         /// Of a feed, how far beside its lines lanes may lie [m]
         #[arg(long, value_name = "M", default_value_t = WZDX_TOLERANCE, value_parser = tolerance)]
@@ -175,7 +175,9 @@ impl OverlayCommand {
         tolerance: f64,
         feed: Option<&str>,
     ) -> Result<(OverlayReport, Option<Vec<FeedFinding>>)> {
-        let mut document = read(file)?;
+        // First the signature: where both are replaced meanwhile, an older one with a newer file is wrong, and told.
+        let mut signature = signature(file)?;
+        let mut document = read_document(file)?;
         let mut findings = None;
         let mut feed = feed.map(str::to_owned);
         if mapd_overlay::is_feed(&document) {
@@ -184,12 +186,13 @@ impl OverlayCommand {
             let client = Client::connect_as(own, &domain, &self.name, self.wait.0)?;
             let fits = matched(client.snapshot().map(), &document, tolerance).map_err(wrong)?;
             (document, findings) = (fits.document.to_json(), Some(fits.findings));
+            signature = None;
             feed = feed.or_else(|| Some(file.file_name()?.to_string_lossy().into_owned()));
         }
         if document.len() > LONGEST {
             bail!(UsageError(format!("{}: longer than {LONGEST} bytes", file.display())));
         }
-        Ok((self.ask(OverlayAction::Apply { document, feed })?, findings))
+        Ok((self.ask(OverlayAction::Apply { document, feed, signature })?, findings))
     }
 
     /// Says what has been applied, and what could not be placed.
@@ -235,8 +238,19 @@ fn tolerance(text: &str) -> Result<f64, String> {
     })
 }
 
-/// The document: UTF-8, of bounded length.
-fn read(file: &Path) -> Result<String> {
+/// The signature beside a file, if there is one: whether it must be there is the daemon's to say.
+fn signature(file: &Path) -> Result<Option<String>> {
+    match read_signature(file) {
+        Ok(signature) => Ok(Some(signature)),
+        Err(TrustError::Unsigned { reason, .. }) if reason.kind() == io::ErrorKind::NotFound => {
+            Ok(None)
+        }
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// A document: UTF-8, of bounded length.
+pub(super) fn read_document(file: &Path) -> Result<String> {
     let mut text = String::new();
     let reading = || format!("reading {}", file.display());
     let read = if file == Path::new("-") {

@@ -4,6 +4,7 @@ use super::audit::{Audit, Line, now};
 use super::policy::{ProposalPolicy, Rule};
 use crate::control::Response;
 use crate::daemon::desk::Desk;
+use crate::daemon::kept::PROPOSED;
 use crate::daemon::orders::{Order, Orders};
 use crate::daemon::overlays::{Action, OverlayOrder};
 use mapd_client::overlay::Decision;
@@ -21,9 +22,6 @@ const MOST_REFUSALS: u32 = 120;
 
 /// Largest extent of a place on Earth \[deg\]: what is seen from a vehicle is near to it.
 const LARGEST_EXTENT: f64 = 0.2;
-
-/// What names of accepted entries begin with.
-const PREFIX: &str = "proposed/";
 
 const MINUTE: Duration = Duration::from_secs(60);
 
@@ -135,7 +133,7 @@ impl Judge {
         let document = Document { entries: vec![entry] };
         let holds = self.desk.holds(map, &document)?;
         let [entry] = <[Entry; 1]>::try_from(document.entries).map_err(|_| "expected one entry")?;
-        if self.desk.count(map, &format!("{PREFIX}{source}/"), &entry.id) >= rule.most {
+        if self.desk.count(map, &format!("{PROPOSED}{source}/"), &entry.id) >= rule.most {
             return Err(format!("{source:?} has {} entries already", rule.most));
         }
         let others = self.others(map, source, &entry, &holds);
@@ -214,7 +212,7 @@ impl Judge {
         let document = Document { entries: vec![entry] };
         self.desk.place_on_served(map, &document);
         let (reply, outcome) = channel();
-        let action = Action::Apply { document, feed: None };
+        let action = Action::Apply { document, feed: None, signed: None };
         let order = OverlayOrder { map: map.to_owned(), action, reply, is_proposed: true };
         self.orders.lock().unwrap_or_else(PoisonError::into_inner).give(Order::Overlay(order));
         match outcome.recv() {
@@ -271,7 +269,7 @@ fn admitted(mut entry: Entry, rule: &Rule, now: Moment) -> Result<Entry, String>
         return Err("until: it ends before it begins".to_owned());
     }
     entry.until = Some(Moment { unix_seconds: until });
-    entry.id = format!("{PREFIX}{}/{}", rule.source, entry.id);
+    entry.id = format!("{PROPOSED}{}/{}", rule.source, entry.id);
     rule.source.clone_into(&mut entry.source);
     Ok(entry)
 }
