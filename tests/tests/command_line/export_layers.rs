@@ -1,6 +1,9 @@
 //! `mapd export --format geojson` and `flatgeobuf`: every feature arrives, where the map has it, as text, and read by GDAL.
 
 use mapd_client::Bounds;
+use mapd_client::objects::Object;
+use mapd_client::rules::{LaneLine, LineSource};
+use mapd_client::vocabulary::Class;
 use mapd_client::{Lane, Map, Snapshot};
 use mapd_tests::maps::open;
 use mapd_tests::{carried, say};
@@ -13,7 +16,7 @@ use tempfile::TempDir;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 /// The georeference that maps without one are given.
-const UTM: &str = "+proj=utm +zone=32 +datum=WGS84 +units=m +no_defs";
+pub(super) const UTM: &str = "+proj=utm +zone=32 +datum=WGS84 +units=m +no_defs";
 /// A plane that no EPSG code names.
 const OWN_PLANE: &str = "+proj=tmerc +lat_0=48 +lon_0=11 +k=0.9999 +x_0=1000 +ellps=GRS80 +units=m";
 /// A plane on an ellipsoid for which the file would have to name a datum.
@@ -29,16 +32,16 @@ fn run(arguments: &[&str], folder: &Path) -> Output {
 }
 
 /// Runs it; it must be well.
-fn export(arguments: &[&str], folder: &Path) -> Output {
+pub(super) fn export(arguments: &[&str], folder: &Path) -> Output {
     let output = run(arguments, folder);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     output
 }
 
 /// A folder with the carried maps, each of which has a georeference.
-fn folder(georeference: &str) -> (TempDir, Vec<PathBuf>) {
+pub(super) fn folder(georeference: &str) -> (TempDir, Vec<PathBuf>) {
     let folder = tempfile::tempdir().expect("a folder");
-    let names = ["one_road.xodr", "town.xodr", "objects.xodr", "marks.xodr"];
+    let names = ["one_road.xodr", "town.xodr", "objects.xodr", "marks.xodr", "surfaces.xodr"];
     let place = |name: &str| {
         let text = fs::read_to_string(carried(name)).expect("a map");
         let element = format!("<geoReference><![CDATA[{georeference}]]></geoReference>");
@@ -69,18 +72,39 @@ fn lanes<'a>(map: Map<'a>) -> Vec<Lane<'a>> {
     sections.flat_map(|section| section.lanes()).filter(|lane| lane.number() != 0).collect()
 }
 
-/// Numbers of features that a map must have in the layers whose features are counted by one question.
-fn counts(map: Map<'_>) -> BTreeMap<&'static str, usize> {
+/// Into how many pieces road marks cut a lane's border: where one begins or ends, another piece begins.
+fn pieces(lane: &Lane<'_>) -> usize {
+    let (from, to) = (lane.section().s_start(), lane.section().s_end());
+    let marks = lane.road_marks().flat_map(|mark| [mark.s(), mark.s_end()]);
+    let inside = marks.filter(|s| (from < *s) & (*s < to));
+    let mut cuts: Vec<f64> = inside.chain([from, to]).collect();
+    cuts.sort_by(f64::total_cmp);
+    cuts.dedup();
+    cuts.len() - 1
+}
+
+/// Numbers of features that a map must have.
+pub(super) fn counts(map: Map<'_>) -> BTreeMap<&'static str, usize> {
     let lanes = lanes(map);
-    let outlines = map.objects().flat_map(|object| object.placements());
-    let outlines = outlines.map(|place| place.outlines().len().max(1)).sum();
+    let outlines = |object: Object<'_>| {
+        object.placements().map(|place| place.outlines().len().max(1)).sum::<usize>()
+    };
+    let is_crossing =
+        |object: &Object<'_>| matches!(object.class(), Class::Crosswalk | Class::BicycleCrossing);
+    let is_signal = |line: &LaneLine| matches!(line.source, LineSource::Signal(_));
+    let across = lanes.iter().flat_map(|lane| lane.crossings()).filter(is_signal).count();
+    let crosswalks = map.objects().filter(is_crossing).map(outlines).sum::<usize>();
+    let sections = map.roads().flat_map(|road| road.sections().chain(road.temporary_sections()));
+    let borders = sections.flat_map(|section| section.lanes()).map(|lane| pieces(&lane));
     let stops = lanes.iter().map(|lane| lane.lines_to_stop_at().count()).sum();
     [
         ("lanes", lanes.len()),
         ("center_lines", lanes.len()),
+        ("borders", borders.sum()),
         ("stop_lines", stops),
+        ("crosswalks", crosswalks + across),
         ("signals", map.signals().len()),
-        ("objects", outlines),
+        ("objects", map.objects().map(outlines).sum()),
         ("edges", map.lane_nodes().map(|node| node.edges().len()).sum()),
         ("findings", map.quarantined().len()),
     ]

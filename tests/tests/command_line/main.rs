@@ -5,6 +5,7 @@ mod command_line;
 mod command_line_frames;
 mod dependencies;
 mod export;
+mod export_by_gdal;
 mod export_extremes;
 mod export_lanelet2;
 mod export_layers;
