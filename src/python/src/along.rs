@@ -30,7 +30,7 @@ fn edge_code(mark: &EdgeMark) -> u8 {
     EDGES.iter().position(|name| *name == kind.name()).unwrap_or(0) as u8
 }
 
-fn turn_name(turn: Turn) -> &'static str {
+pub(crate) fn turn_name(turn: Turn) -> &'static str {
     match turn {
         Turn::Left => "left",
         Turn::Straight => "straight",
@@ -40,7 +40,11 @@ fn turn_name(turn: Turn) -> &'static str {
 }
 
 /// A stop line or crossing: signal, object, lane, s, class.
-fn line<'py>(py: Python<'py>, held: &Arc<Held>, line: &LaneLine) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn line<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    line: &LaneLine,
+) -> PyResult<Bound<'py, PyAny>> {
     let (signal, object) = match line.source {
         LineSource::Signal(signal) => (Some(Signal::new(held, signal)), None),
         LineSource::Object(object) => (None, Some(Object::new(held, object))),

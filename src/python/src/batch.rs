@@ -5,6 +5,7 @@ use crate::held::{Held, id};
 use crate::input::NONE_ID;
 use crate::signal::Signal;
 use mapd_client::batch::{self, NearestLanes};
+use mapd_client::roads::Material;
 use mapd_client::rules::SpeedRule;
 use mapd_client::{Clamped, LaneId, LanePosition, Pose, QueryError};
 use numpy::{IntoPyArray, ndarray::Array2};
@@ -187,6 +188,22 @@ pub(crate) fn speed_rule<'py>(
     let signal = rule.signal.map(|signal| Signal::new(held, signal));
     let fields = fields!(py, max = rule.max, origin = rule.origin.name(), signal = signal);
     result(py, "SpeedRule", &fields)
+}
+
+/// What `<material>` says of a surface.
+pub(crate) fn material<'py>(
+    py: Python<'py>,
+    material: Option<Material<'_>>,
+) -> PyResult<Option<Bound<'py, PyAny>>> {
+    let Some(one) = material else { return Ok(None) };
+    let fields = fields!(
+        py,
+        s = one.s,
+        surface = one.surface,
+        friction = one.friction,
+        roughness = one.roughness,
+    );
+    result(py, "Material", &fields).map(Some)
 }
 
 /// Columns of poses.

@@ -15,6 +15,7 @@ mod errors;
 mod ground;
 mod held;
 mod input;
+mod junction;
 mod lane;
 mod map;
 mod matching;
@@ -48,6 +49,7 @@ fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<map::Map>()?;
     m.add_class::<lane::Lane>()?;
     m.add_class::<road::Road>()?;
+    m.add_class::<junction::Junction>()?;
     m.add_class::<signal::Signal>()?;
     m.add_class::<object::Object>()?;
     m.add_class::<path::Path>()?;

@@ -1,7 +1,8 @@
 //! Roads and their track coordinates.
 
 use crate::batch::{
-    answer, clamped_code, columns, fields, in_row, pose, pose_columns, result, track_columns,
+    answer, clamped_code, columns, fields, in_row, material, pose, pose_columns, result,
+    track_columns,
 };
 use crate::errors::query;
 use crate::held::{Held, content, id};
@@ -77,6 +78,35 @@ impl Road {
     /// Elevation of the reference line at s [m].
     fn elevation_at(&self, s: f64) -> PyResult<f64> {
         Ok(self.road()?.elevation_at(s))
+    }
+
+    /// Superelevation at s [rad]; positive lifts the left side.
+    fn superelevation_at(&self, s: f64) -> PyResult<f64> {
+        Ok(self.road()?.superelevation_at(s))
+    }
+
+    /// Lane offset at s [m]; positive to the left.
+    fn lane_offset_at(&self, s: f64) -> PyResult<f64> {
+        Ok(self.road()?.lane_offset_at(s))
+    }
+
+    /// The surface at (s, t) [m]; s beyond the reference line is moved to its end and flagged. Beside all lanes the lateral profiles go on.
+    fn surface_at<'py>(&self, py: Python<'py>, s: f64, t: f64) -> PyResult<Bound<'py, PyAny>> {
+        let at = self.road()?.surface_at(s, t).map_err(query)?;
+        let (p, normal) = (at.position, at.normal);
+        let fields = fields!(
+            py,
+            x = p.x,
+            y = p.y,
+            z = p.z,
+            nx = normal.x,
+            ny = normal.y,
+            nz = normal.z,
+            lane = at.lane.map(|lane| Lane::new(&self.held, lane.row())),
+            material = material(py, at.material)?,
+            clamped = clamped_code(at.clamped),
+        );
+        result(py, "Surface", &fields)
     }
 
     /// The lane that covers (s, t); None beside all lanes.

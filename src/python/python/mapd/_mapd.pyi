@@ -37,14 +37,17 @@ from ._columns import (
     Waypoints,
 )
 from ._results import (
+    Connection,
     Decision,
     Event,
     Ground,
     Landmark,
     LandmarkInView,
+    LaneLine,
     LanePosition,
     LaneSequences,
     Lines,
+    Material,
     NearMark,
     Nearest,
     OverlayEntry,
@@ -63,6 +66,8 @@ from ._results import (
     Rebased,
     Report,
     Restriction,
+    RightOfWay,
+    RoadMark,
     Route,
     RouteEnd,
     RouteStep,
@@ -70,6 +75,7 @@ from ._results import (
     SpeedRule,
     SpeedToday,
     Stance,
+    Surface,
     TrackPosition,
     Tracked,
 )
@@ -89,6 +95,7 @@ __all__ = [
     "Map",
     "Lane",
     "Road",
+    "Junction",
     "Signal",
     "Object",
     "Path",
@@ -243,6 +250,8 @@ class Map:
         """All lanes, lane 0 of each section left out."""
     def roads(self) -> list[Road]:
         """All roads in file order."""
+    def junctions(self) -> list[Junction]:
+        """All junctions."""
     def signals(self) -> list[Signal]:
         """All signals."""
     def objects(self) -> list[Object]:
@@ -251,6 +260,8 @@ class Map:
         """The lane of a key such as "12:0:-1", or of an id."""
     def road(self, id: str) -> Road:
         """The road with OpenDRIVE's id."""
+    def junction(self, id: str) -> Junction:
+        """The junction with OpenDRIVE's id."""
     def signal(self, id: str) -> Signal:
         """The signal with OpenDRIVE's id."""
     def object(self, id: str) -> Object:
@@ -411,6 +422,10 @@ class Map:
         """Signals within a radius [m] with their distances [m], nearest first."""
     def objects_near(self, point: tuple[float, float], radius: float) -> list[tuple[Object, float]]:
         """Objects whose area comes within a radius [m], with their distances [m], nearest first; once for each of their places."""
+    def signals_in(self, region: _Region) -> list[Signal]:
+        """Signals that stand in a rectangle (x_min, y_min, x_max, y_max) [m]."""
+    def objects_in(self, region: _Region) -> list[Object]:
+        """Objects whose area meets a rectangle (x_min, y_min, x_max, y_max) [m]; once for each of their places."""
     def lines(
         self,
         region: _Region | None = None,
@@ -567,6 +582,11 @@ class Map:
         self, start: _Place, distance: float, *, vehicle: str = "passengerCar"
     ) -> LaneSequences:
         """All sequences of lanes that one can follow without a change of lane, until each is `distance` [m] long; at most 1,024."""
+    def next_junction(self, start: _Place, distance: float, *, vehicle: str = "passengerCar") -> tuple[Junction, float] | None:
+        """The next junction ahead of a place and the distance to it [m]; 0 on a connecting road, None if there is none within `distance` [m].
+
+        Follows the lanes as long as there is but one way on, or all ways lead into one junction.
+        """
     def signals_ahead(
         self, start: _Place, distance: float, *, vehicle: str = "passengerCar"
     ) -> list[SignalAhead]:
@@ -625,6 +645,49 @@ class Lane:
         """Speed limit at s, signs included, and who says so."""
     def allows_at(self, s: float, vehicle: str = "passengerCar") -> bool:
         """Whether a class of vehicles may use it at s."""
+    @property
+    def turn(self) -> Literal["left", "straight", "right", "back"]:
+        """Where the movement through this lane of a junction leads: "left", "straight", "right" or "back"."""
+    def entries(self) -> list[Lane]:
+        """Lanes from which the junction is entered on the way through this one."""
+    def movement_lanes(self) -> list[Lane]:
+        """Lanes of the junction that the movement through this one goes over, first to last; itself where it is in no junction."""
+    def right_of_way(self) -> list[RightOfWay]:
+        """Who goes first where this lane of a junction meets others."""
+    def yields_to(self) -> list[Lane]:
+        """Lanes to which this lane of a junction gives way by what the file says; such as are closed to every vehicle are left out."""
+    def traffic_lights(self) -> list[Signal]:
+        """Lights for the traffic of this lane."""
+    def movement_lights(self) -> list[Signal]:
+        """Lights that govern the movement through this lane of a junction."""
+    def movement_stop(self) -> LaneLine | None:
+        """Where the movement through this lane of a junction stops: at the marked line nearest to the junction, up to 30 m before it.
+
+        Without one at its light; under a stop or yield sign without marking at the last place before the movement meets another lane, or where it
+        enters the junction. None where none of these is known.
+        """
+    def movement_crossings(self) -> list[LaneLine]:
+        """Crosswalks and bicycle crossings that the movement through this lane passes: up to 30 m before it, on its own lanes, and up to 30 m behind it."""
+    def lines_to_stop_at(self) -> list[LaneLine]:
+        """Lines at which the lane's traffic stops or gives way: signals first, then objects."""
+    def crossings(self) -> list[LaneLine]:
+        """Crosswalks and bicycle crossings over the lane: signals first, then objects."""
+    def edges_at(self, s: float) -> tuple[float, float]:
+        """t [m] of the inner and of the outer edge at s [m], on its road."""
+    def bounds_at(self, s: float) -> tuple[tuple[float, float, float], tuple[float, float, float]] | None:
+        """Left and right edge at s [m] as its traffic has them; None where it has no area."""
+    def height_at(self, s: float) -> tuple[float, float]:
+        """How far the inner and the outer edge lie above the road [m] at s [m], as `<height>` writes it."""
+    def length_between(self, s_from: float, s_to: float) -> float:
+        """Length of the centre line between two places [m] in plan view."""
+    def material_at(self, s: float) -> Material | None:
+        """The surface at s [m] as `<material>` writes it; None where nothing is written."""
+    def road_marks(self) -> list[RoadMark]:
+        """Marks on its outer border, or on the centre line for lane 0, by s."""
+    def road_mark_at(self, s: float) -> RoadMark | None:
+        """The mark on its outer border at s [m]."""
+    def objects(self) -> list[Object]:
+        """Objects that are on the lane or belong to it."""
     def pose_at(self, s: float, offset: float = 0.0) -> Pose:
         """Pose at s [m] as its traffic has it, `offset` [m] to the left of its centre."""
     def position_of(self, point: _Point) -> LanePosition:
@@ -664,6 +727,12 @@ class Road:
         """Lanes of all sections, by s and from left to right."""
     def elevation_at(self, s: float) -> float:
         """Elevation of the reference line at s [m]."""
+    def superelevation_at(self, s: float) -> float:
+        """Superelevation at s [rad]; positive lifts the left side."""
+    def lane_offset_at(self, s: float) -> float:
+        """Lane offset at s [m]; positive to the left."""
+    def surface_at(self, s: float, t: float) -> Surface:
+        """The surface at (s, t) [m]; s beyond the reference line is moved to its end and flagged. Beside all lanes the lateral profiles go on."""
     def lane_at(self, s: float, t: float) -> Lane | None:
         """The lane that covers (s, t); None beside all lanes."""
     @overload
@@ -676,6 +745,23 @@ class Road:
     @overload
     def to_track(self, points: _Points, *, out: Tracks | None = None) -> Tracks:
         """Feet of points on the reference line."""
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+
+@final
+class Junction:
+    """A junction: roads, and which lanes lead from one to another."""
+
+    @property
+    def id(self) -> str:
+        """OpenDRIVE's id."""
+    @property
+    def name(self) -> str:
+        """OpenDRIVE's name."""
+    def connections(self) -> list[Connection]:
+        """Connections in file order."""
+    def controllers(self) -> list[str]:
+        """Ids of the controllers of its lights."""
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
 

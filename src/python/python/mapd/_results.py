@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     import geopandas
 
     from ._columns import Reached, ReachLinks
-    from ._mapd import Lane, Map, Object, Signal
+    from ._mapd import Lane, Map, Object, Road, Signal
 
 
 class Nearest(NamedTuple):
@@ -100,6 +100,72 @@ class Ground(NamedTuple):
     """Which level this is, the lowest one 0."""
     levels: int
     """How many levels of lanes there are at the place."""
+
+
+class Material(NamedTuple):
+    """What `<material>` says of a lane's surface."""
+
+    s: float
+    """Where it begins [m]."""
+    surface: str
+    friction: float | None
+    roughness: float | None
+
+
+class Surface(NamedTuple):
+    """The surface at a place of a road."""
+
+    x: float
+    y: float
+    z: float
+    """Its place is (x, y, z) [m]."""
+    nx: float
+    ny: float
+    nz: float
+    """The surface's unit normal is (nx, ny, nz)."""
+    lane: Lane | None
+    """The lane that covers it; None beside all lanes."""
+    material: Material | None
+    clamped: int
+    """-1 or 1 where s lay before or after the road and was moved to its nearer end; else 0."""
+
+
+class RoadMark(NamedTuple):
+    """A road mark of a lane."""
+
+    s: float
+    """Where it begins [m]."""
+    s_end: float
+    """Where it ends [m]."""
+    kind: str
+    """As OpenDRIVE names it."""
+    color: str
+    width: float
+    """[m]; that of its kind where none is written."""
+
+
+class RightOfWay(NamedTuple):
+    """Who goes first where a lane of a junction meets another."""
+
+    other: Lane | None
+    relation: str
+    """What this lane's traffic does: "yields", "priority", ... (docs/signals.md)."""
+    reason: str
+    """What says so."""
+    basis: Literal["written", "rule", "unknown"]
+    """Whether the file says so, or a rule of the road would."""
+
+
+class Connection(NamedTuple):
+    """A connection of a junction."""
+
+    id: str
+    incoming_road: Road | None
+    connecting_road: Road | None
+    contact_point: str
+    """Which end of the connecting road the incoming one meets, "start" or "end"."""
+    lane_links: list[tuple[int, int]]
+    """Numbers of lanes: of the incoming road, of the connecting road."""
 
 
 class NearMark(NamedTuple):

@@ -9,6 +9,7 @@ mod ways;
 use crate::errors::{client, raise};
 use crate::held::Held;
 use crate::input::{lane_of, triple};
+use crate::junction::Junction;
 use crate::lane::Lane;
 use crate::object::Object;
 use crate::road::Road;
@@ -124,6 +125,11 @@ impl Map {
         self.map().roads().map(|road| Road::new(&self.0, road.road_id().row())).collect()
     }
 
+    /// All junctions.
+    fn junctions(&self) -> Vec<Junction> {
+        self.map().junctions().map(|one| Junction::new(&self.0, one.junction_id())).collect()
+    }
+
     /// All signals.
     fn signals(&self) -> Vec<Signal> {
         self.map().signals().map(|signal| Signal::new(&self.0, signal.signal_id())).collect()
@@ -144,6 +150,14 @@ impl Map {
         let road = self.map().road_by_id(id);
         road.map(|road| Road::new(&self.0, road.road_id().row()))
             .ok_or_else(|| raise("NoSuchPartError", format!("the map has no road {id:?}")))
+    }
+
+    /// The junction with OpenDRIVE's id.
+    fn junction(&self, id: &str) -> PyResult<Junction> {
+        let junction = self.map().junction_by_id(id);
+        junction
+            .map(|junction| Junction::new(&self.0, junction.junction_id()))
+            .ok_or_else(|| raise("NoSuchPartError", format!("the map has no junction {id:?}")))
     }
 
     /// The signal with OpenDRIVE's id.

@@ -70,6 +70,20 @@ impl Map {
         Ok(found.iter().map(|near| (object(near), near.distance)).collect())
     }
 
+    /// Signals that stand in a rectangle (x_min, y_min, x_max, y_max) [m].
+    fn signals_in(&self, region: [f64; 4]) -> PyResult<Vec<Signal>> {
+        let mut found = Vec::new();
+        self.map().signals_in(region_of(region), &mut found).map_err(query)?;
+        Ok(found.iter().map(|id| Signal::new(&self.0, *id)).collect())
+    }
+
+    /// Objects whose area meets a rectangle (x_min, y_min, x_max, y_max) [m]; once for each of their places.
+    fn objects_in(&self, region: [f64; 4]) -> PyResult<Vec<Object>> {
+        let mut found = Vec::new();
+        self.map().objects_in(region_of(region), &mut found).map_err(query)?;
+        Ok(found.iter().map(|place| Object::new(&self.0, place.object)).collect())
+    }
+
     /// Centre lines, or left or right bounds, of all lanes, or of those in a rectangle, decoded at once.
     #[pyo3(signature = (region = None, *, types = None, which = "center"))]
     fn lines<'py>(

@@ -1,7 +1,9 @@
 //! Ways through the network, and what lies on them.
 
 use super::Map;
+use crate::errors::query;
 use crate::input::vehicle_of;
+use crate::junction::Junction;
 use mapd_client::path::{LaneChange, PathOptions};
 use pyo3::prelude::*;
 
@@ -193,6 +195,21 @@ impl Map {
         vehicle: &str,
     ) -> PyResult<Bound<'py, PyAny>> {
         crate::route::sequences(py, &self.0, start, distance, vehicle)
+    }
+
+    /// The next junction ahead of a place and the distance to it [m]; 0 on a connecting road, None if there is none within `distance` [m].
+    ///
+    /// Follows the lanes as long as there is but one way on, or all ways lead into one junction.
+    #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]
+    fn next_junction(
+        &self,
+        start: &Bound<'_, PyAny>,
+        distance: f64,
+        vehicle: &str,
+    ) -> PyResult<Option<(Junction, f64)>> {
+        let start = crate::input::place_of(self.map(), start)?;
+        let next = self.map().next_junction(start, distance, vehicle_of(vehicle)?);
+        Ok(next.map_err(query)?.map(|one| (Junction::new(&self.0, one.junction), one.distance)))
     }
 
     /// Signals for traffic that goes on without a change of lane, up to a distance [m].

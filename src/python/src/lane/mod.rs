@@ -1,5 +1,8 @@
 //! Lanes, and many lanes' lines at once.
 
+mod movement;
+mod shape;
+
 use crate::batch::{Column, clamped_code, columns, fields, pose, result, speed_rule, triples};
 use crate::errors::query;
 use crate::held::{Held, content, id};
