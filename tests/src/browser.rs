@@ -176,6 +176,29 @@ impl Browser {
         }
     }
 
+    /// Makes it a phone's browser, with a screen of so many pixels of the page, two of its own each.
+    pub fn become_phone(&mut self, (width, height): (u32, u32)) {
+        let size =
+            json!({ "width": width, "height": height, "deviceScaleFactor": 2, "mobile": true });
+        self.call("Emulation.setDeviceMetricsOverride", size);
+        let touch = json!({ "enabled": true, "maxTouchPoints": 5 });
+        self.call("Emulation.setTouchEmulationEnabled", touch);
+    }
+
+    /// Puts fingers down, moves them all at once from place to place, and lifts them; each finger's places in turn.
+    pub fn touch(&mut self, fingers: &[&[[f64; 2]]]) {
+        let steps = fingers.iter().map(|places| places.len()).min().unwrap_or(0);
+        for step in 0..steps {
+            let kind = if step == 0 { "touchStart" } else { "touchMove" };
+            let points = fingers.iter().enumerate().filter_map(|(id, places)| {
+                places.get(step).map(|[x, y]| json!({ "x": x, "y": y, "id": id }))
+            });
+            let points: Vec<Value> = points.collect();
+            self.call("Input.dispatchTouchEvent", json!({ "type": kind, "touchPoints": points }));
+        }
+        self.call("Input.dispatchTouchEvent", json!({ "type": "touchEnd", "touchPoints": [] }));
+    }
+
     /// Presses a key.
     pub fn key(&mut self, key: &str) {
         for kind in ["keyDown", "keyUp"] {

@@ -89,11 +89,23 @@ class Viewer {
     this.show([...this.near(low[0], low[1]), ...this.near(high[0], high[1])]);
   }
 
-  // Fits a box into what the panels leave free.
+  // What panels and buttons cover at the left, top, right and bottom [px].
+  covered() {
+    const isNarrow = innerWidth <= 720, isOpen = !$("panel").hidden, layers = !isNarrow && !$("layers").hidden ? 226 : 0;
+    if (isNarrow) return [0, 92, 0, isOpen ? innerHeight * 0.48 : 44];
+    return [isOpen ? 385 : 0, 50, layers, 44];
+  }
+
+  // Fits a box into what is free.
   show(box, closest) {
-    const isOpen = !$("panel").hidden, isNarrow = innerWidth <= 720;
-    const [left, bottom] = isOpen ? (isNarrow ? [0, innerHeight * 0.48] : [385, 44]) : [0, 44];
-    this.camera.fit(box, [left, isNarrow ? 92 : 50, 0, bottom], closest);
+    this.camera.fit(box, this.covered(), closest);
+  }
+
+  // Whether all of a box is in what is free.
+  isSeen([x0, y0, x1, y1]) {
+    const [left, top, right, bottom] = this.covered();
+    const corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]].map(corner => this.camera.toPage(...corner));
+    return corners.every(([x, y]) => x >= left && y >= top && x <= this.camera.width - right && y <= this.camera.height - bottom);
   }
 
   changed() {
@@ -162,10 +174,9 @@ class Viewer {
     const isPoint = sheet.bounds && x0 === x1 && y0 === y1;
     this.labels.mark = isPoint ? this.near(x0, y0) : null;
     if (sheet.bounds && (isFollowed || isWhole)) {
-      const box = [...this.near(x0, y0), ...this.near(x1, y1)], [a, b, c, d] = this.camera.bounds();
-      const isSeen = box[0] >= a && box[1] >= b && box[2] <= c && box[3] <= d;
+      const box = [...this.near(x0, y0), ...this.near(x1, y1)];
       const room = isPoint ? 25 : 10;
-      if (isWhole || !isSeen) this.show([box[0] - room, box[1] - room, box[2] + room, box[3] + room], 20);
+      if (isWhole || !this.isSeen(box)) this.show([box[0] - room, box[1] - room, box[2] + room, box[3] + room], 20);
     }
     this.changed();
   }
@@ -180,6 +191,8 @@ class Viewer {
   }
 
   click(px, py, pointer) {
+    // A finger does not hover.
+    this.hover(px, py);
     const place = this.camera.toGround(px, py);
     if (this.mode === "measure") {
       this.labels.measure.push(place);

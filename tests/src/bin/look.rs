@@ -3,7 +3,8 @@
 //!
 //! ```text
 //! look map.html                              the figures
-//! look map.html --picture map.png            a picture, too
+//! look map.html --least-frames 20            fails if it draws fewer a second
+//! look map.html --picture map.png            a picture instead of frames
 //! look map.html --size 800x500 --run 'viewer.choose({ kind: "road", row: 0 })' --picture map.png
 //! ```
 //!
@@ -15,6 +16,7 @@ use mapd_tests::browser::Browser;
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
+use std::process::ExitCode;
 
 /// Looks at a page.
 #[derive(Parser)]
@@ -26,6 +28,9 @@ struct Arguments {
     /// JavaScript to run first, whose value is printed; `viewer` is the page
     #[arg(long)]
     run: Option<String>,
+    /// Frames a second that it must draw, of the whole map and of a piece; fewer are an error
+    #[arg(long, value_name = "N", conflicts_with = "picture")]
+    least_frames: Option<f64>,
     /// PNG to write
     #[arg(long, value_name = "FILE")]
     picture: Option<PathBuf>,
@@ -65,8 +70,8 @@ const MOVE: &str = "(async () => {
     return [whole, near];
 })()";
 
-fn main() {
-    let Arguments { page, size, run, picture } = Arguments::parse();
+fn main() -> ExitCode {
+    let Arguments { page, size, run, least_frames, picture } = Arguments::parse();
     let page = page.canonicalize().expect("the page is there");
     let mut browser = Browser::start(size).expect("Chromium is installed");
     browser.open(
@@ -78,10 +83,16 @@ fn main() {
     let ready = browser.evaluate("viewer.ready / 1000");
     let mut say = |text: String| writeln!(out, "{text}").expect("stdout");
     say(format!("{:.1} MB, ready after {:.1} s", bytes as f64 / 1e6, number(&ready)));
+    let mut is_slow = false;
     if picture.is_none() {
         let speeds = browser.evaluate(MOVE);
         let [whole, near] = [0, 1].map(|at| number(&speeds[at]));
         say(format!("{whole:.0} frames/s of the whole map, {near:.0} of a piece of 600 m"));
+        // Also what is not a number.
+        is_slow = least_frames.is_some_and(|least| !(whole >= least && near >= least));
+        if is_slow {
+            say(format!("fewer than {} frames/s", least_frames.unwrap_or_default()));
+        }
     }
     let value = run.map(|run| browser.evaluate(&run)).unwrap_or_default();
     if !value.is_null() {
@@ -95,6 +106,7 @@ fn main() {
         std::fs::write(file, Base64::decode_to_vec(text, None).expect("base64")).expect("written");
     }
     assert_eq!(browser.complaints, [""; 0]);
+    if is_slow { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }
 
 fn number(value: &Value) -> f64 {

@@ -15,6 +15,7 @@ mod numbers;
 mod options_documented;
 mod page;
 mod page_colors;
+mod page_sheets;
 mod pages;
 mod path_queries;
 mod progress;

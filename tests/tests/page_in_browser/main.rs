@@ -5,6 +5,7 @@ mod actions;
 mod answers;
 mod drawing;
 mod live;
+mod touch;
 
 use mapd_client::{Road, Snapshot};
 use mapd_tests::browser::Browser;

@@ -1,10 +1,12 @@
 //! What is known of a lane.
 
 use super::{Kind, Link, Sheet, Words, metres, speed};
+use mapd_query::objects::Structure;
+use mapd_query::roads::{LaneHeight, LaneVisibility, Material};
 use mapd_query::rules::Basis;
 use mapd_query::view::View;
-use mapd_query::vocabulary::VehicleClass;
-use mapd_query::{Lane, Map};
+use mapd_query::vocabulary::{RoadMarkKind, VehicleClass};
+use mapd_query::{Lane, Map, SRange};
 
 pub(super) fn sheet(view: View<'_>, lane: &Lane<'_>) -> Sheet {
     let map = view.map();
@@ -15,6 +17,8 @@ pub(super) fn sheet(view: View<'_>, lane: &Lane<'_>) -> Sheet {
     neighbours(map, lane, &mut sheet);
     traffic(lane, &mut sheet);
     things(map, lane, &mut sheet);
+    ground(lane, &mut sheet);
+    written(lane, &mut sheet);
     for point in lane.center_line().positions() {
         sheet.reach(point);
     }
@@ -64,23 +68,50 @@ fn neighbours(map: Map<'_>, lane: &Lane<'_>, sheet: &mut Sheet) {
     sheet.add("right of it", lane.right().iter().map(|one| Words::from(one).with(may(right))));
 }
 
-fn traffic(lane: &Lane<'_>, sheet: &mut Sheet) {
-    let section = lane.section();
-    let middle = 0.5 * (section.s_start() + section.s_end());
-    let rule = lane.speed_rule_at(middle);
-    let limit = rule.max.map_or_else(|| "unknown".to_owned(), speed);
-    sheet.say("speed limit", format!("{limit}, {}", rule.origin.name()));
-    let classes: Vec<&str> = lane.access_at(middle).map(VehicleClass::name).collect();
-    sheet.say("open to", if classes.is_empty() { "nobody".to_owned() } else { classes.join(", ") });
-    let marks = lane.road_marks().map(|mark| Words {
-        text: format!(
-            "{} {} from s {:.2} m, {:.2} m wide",
-            mark.color().name(),
-            mark.kind().name(),
-            mark.s(),
-            mark.width_or_default()
-        ),
+/// What is said of a place on the lane, piece by piece: pieces end where something may change, and those that say the same are one.
+fn along(lane: &Lane<'_>, said: impl Fn(f64) -> String) -> Vec<Words> {
+    let (from, to) = (lane.section().s_start(), lane.section().s_end());
+    let nodes = lane.nodes().flat_map(|node| [node.s_range().low, node.s_range().high]);
+    let signs = lane.signals().map(|one| one.s_on(lane));
+    let written = lane.speeds().map(|one| one.s);
+    let inside = nodes.chain(signs).chain(written).filter(|s| (from < *s) & (*s < to));
+    let mut cuts: Vec<f64> = inside.chain([from, to]).collect();
+    cuts.sort_by(f64::total_cmp);
+    let mut pieces: Vec<([f64; 2], String)> = Vec::new();
+    for (low, high) in cuts.iter().zip(cuts.iter().skip(1)).filter(|(low, high)| low < high) {
+        let text = said(0.5 * (low + high));
+        match pieces.last_mut().filter(|(_, last)| *last == text) {
+            Some(([_, end], _)) => *end = *high,
+            None => pieces.push(([*low, *high], text)),
+        }
+    }
+    let is_one = pieces.len() == 1;
+    let words = |([low, high], text): ([f64; 2], String)| Words {
+        text: if is_one { text } else { format!("{text}, s {low:.2} … {high:.2} m") },
         link: None,
+    };
+    pieces.into_iter().map(words).collect()
+}
+
+fn traffic(lane: &Lane<'_>, sheet: &mut Sheet) {
+    let limit = |s: f64| {
+        let rule = lane.speed_rule_at(s);
+        let origin = rule.origin.name();
+        rule.max.map_or_else(|| origin.to_owned(), |max| format!("{}, {origin}", speed(max)))
+    };
+    sheet.add("speed limit", along(lane, limit));
+    let classes = |s: f64| {
+        let classes: Vec<&str> = lane.access_at(s).map(VehicleClass::name).collect();
+        if classes.is_empty() { "nobody".to_owned() } else { classes.join(", ") }
+    };
+    sheet.add("open to", along(lane, classes));
+    let marks = lane.road_marks().map(|mark| {
+        let (color, kind) = (mark.color().name(), mark.kind());
+        let width = mark.width_or_default();
+        plain(match kind {
+            RoadMarkKind::None => format!("none from s {:.2} m", mark.s()),
+            _ => format!("{color} {} from s {:.2} m, {width:.2} m wide", kind.name(), mark.s()),
+        })
     });
     sheet.add("marks of outer border", marks);
     if lane.road().junction().is_none() {
@@ -119,7 +150,94 @@ fn things(map: Map<'_>, lane: &Lane<'_>, sheet: &mut Sheet) {
         link: None,
     });
     sheet.add("crossed by", crossings);
+    let objects = lane.objects().filter_map(|one| {
+        let SRange { low, high } = one.s_range();
+        let beside = if one.distance() > 0.0 {
+            format!(", {:.2} m beside", one.distance())
+        } else {
+            String::new()
+        };
+        Some(Words::from(&one.object()?).with(&format!(" s {low:.2} … {high:.2} m{beside}")))
+    });
+    sheet.add("objects", objects);
     let parts = map.quarantined().enumerate();
     let own = parts.filter(|(_, part)| part.owner() == lane.road().id());
     sheet.add("left out of the road", own.map(|(i, part)| Words::part(i, part.kind(), part.id())));
+}
+
+/// What it lies on, and in.
+fn ground(lane: &Lane<'_>, sheet: &mut Sheet) {
+    let (from, to) = (lane.section().s_start(), lane.section().s_end());
+    sheet.add(
+        "surface",
+        materials(lane).iter().rev().map(|one| {
+            let given = |name: &str, value: Option<f64>| {
+                value.map_or_else(String::new, |value| format!(", {name} {value}"))
+            };
+            let (friction, roughness) =
+                (given("friction", one.friction), given("roughness", one.roughness));
+            plain(format!("{} from s {:.2} m{friction}{roughness}", one.surface, one.s))
+        }),
+    );
+    let [LaneHeight { inner: a, outer: b }, LaneHeight { inner: c, outer: d }] =
+        [from, to].map(|s| lane.height_at(s));
+    if [a, b, c, d] != [0.0; 4] {
+        sheet.say(
+            "above the road",
+            format!("inner edge {a:.2} … {c:.2} m, outer edge {b:.2} … {d:.2} m"),
+        );
+    }
+    let number = lane.number();
+    let is_own = |structure: &Structure<'_>| {
+        let SRange { low, high } = structure.s_range();
+        let mut ranges = structure.validities();
+        let is_for =
+            ranges.len() == 0 || ranges.any(|range| (range.from..=range.to).contains(&number));
+        is_for && low <= to && from <= high
+    };
+    let structures = lane.road().structures().filter(is_own).map(|one| {
+        let SRange { low, high } = one.s_range();
+        let named = [one.kind().name(), one.id(), one.name(), one.type_name()];
+        let named: Vec<&str> = named.into_iter().filter(|name| !name.is_empty()).collect();
+        plain(format!("{} s {low:.2} … {high:.2} m", named.join(" ")))
+    });
+    sheet.add("tunnel or bridge", structures);
+}
+
+/// `material` records that hold somewhere on the lane, the last one first.
+fn materials<'a>(lane: &Lane<'a>) -> Vec<Material<'a>> {
+    let from = lane.section().s_start();
+    let at = |s: f64| lane.material_at(s);
+    let before = |one: &Material<'a>| at(one.s.next_down()).filter(|_| one.s > from);
+    std::iter::successors(at(lane.section().s_end()), before).collect()
+}
+
+/// What the file says of it besides.
+fn written(lane: &Lane<'_>, sheet: &mut Sheet) {
+    sheet.add(
+        "sees",
+        lane.visibilities().map(|one| {
+            let LaneVisibility { s, forward, back, left, right } = one;
+            let ways = [("ahead", forward), ("behind", back), ("left", left), ("right", right)];
+            let ways =
+                ways.iter().filter_map(|(name, far)| Some(format!("{:.0} m {name}", (*far)?)));
+            plain(format!("{} from s {s:.2} m", ways.collect::<Vec<_>>().join(", ")))
+        }),
+    );
+    sheet.add(
+        "rules",
+        lane.rules().map(|one| plain(format!("{} from s {:.2} m", one.value, one.s))),
+    );
+    sheet.add(
+        "written besides",
+        lane.annotations().map(|one| {
+            let parts = [one.path(), one.name(), one.value(), one.text()];
+            let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+            plain(parts.join(" "))
+        }),
+    );
+}
+
+fn plain(text: String) -> Words {
+    Words { text, link: None }
 }
