@@ -1,10 +1,10 @@
-//! From `<geometry>` to curves: the one place where that is done. The rules look at these curves, and the map is built of them.
+//! From `<geometry>` and `<curveLocal>` to curves: the one place where that is done. The rules look at these curves, and the map is built of them.
 
 use crate::place::value;
 use mapd_geometry::{
     CompileError, Compiled, Curve, CurvePoint, ParameterRange, Primitive, Start, compile,
 };
-use mapd_xodr::{Attribute, Geometry, ParamPoly3Range, PlanView, Span};
+use mapd_xodr::{Attribute, CurveLocal, Geometry, ParamPoly3Range, PlanView, Span};
 
 /// A geometry that is a curve.
 #[derive(Clone, Debug)]
@@ -42,10 +42,13 @@ pub enum Fault {
 /// Number of shapes that a geometry may choose from.
 const SHAPES: usize = 5;
 
+/// An attribute's name and number.
+type Written<'a> = (&'static str, &'a Option<Attribute<f64>>);
+
 /// Numbers of a tag; none where one is missing, with a fault about each.
 fn numbers<const N: usize>(
     span: Span,
-    written: [(&'static str, &Option<Attribute<f64>>); N],
+    written: [Written<'_>; N],
     faults: &mut Vec<Fault>,
 ) -> Option<[f64; N]> {
     let mut all = [0.0; N];
@@ -88,8 +91,7 @@ fn primitive(g: &Geometry, faults: &mut Vec<Fault>) -> Option<(Primitive, Option
         return Some((Primitive::Spiral { curvature_start, curvature_end }, None));
     }
     if let Some(p) = &g.arc {
-        let [curvature] = numbers(p.span, [("curvature", &p.curvature)], faults)?;
-        return Some((Primitive::Arc { curvature }, None));
+        return Some((arc(p.span, &p.curvature, faults)?, None));
     }
     if let Some(p) = &g.poly3 {
         let written = [("a", &p.a), ("b", &p.b), ("c", &p.c), ("d", &p.d)];
@@ -98,14 +100,67 @@ fn primitive(g: &Geometry, faults: &mut Vec<Fault>) -> Option<(Primitive, Option
     let Some(p) = &g.param_poly3 else { return Some((Primitive::Line, None)) };
     let u = [("aU", &p.a_u), ("bU", &p.b_u), ("cU", &p.c_u), ("dU", &p.d_u)];
     let v = [("aV", &p.a_v), ("bV", &p.b_v), ("cV", &p.c_v), ("dV", &p.d_v)];
-    let (u, v) = (numbers(p.span, u, faults), numbers(p.span, v, faults));
-    let written = match value(&p.p_range) {
+    let written = range(value(&p.p_range));
+    Some((cubic(p.span, [u, v], written, faults)?, written))
+}
+
+fn arc(
+    span: Span,
+    curvature: &Option<Attribute<f64>>,
+    faults: &mut Vec<Fault>,
+) -> Option<Primitive> {
+    let [curvature] = numbers(span, [("curvature", curvature)], faults)?;
+    Some(Primitive::Arc { curvature })
+}
+
+/// A parametric cubic of the coefficients of u and v; a range that is not written counts as normalized.
+fn cubic(
+    span: Span,
+    [u, v]: [[Written<'_>; 4]; 2],
+    range: Option<ParameterRange>,
+    faults: &mut Vec<Fault>,
+) -> Option<Primitive> {
+    let (u, v) = (numbers(span, u, faults), numbers(span, v, faults));
+    let range = range.unwrap_or(ParameterRange::Normalized);
+    Some(Primitive::ParamPoly3 { u: u?, v: v?, range })
+}
+
+fn range(written: Option<ParamPoly3Range>) -> Option<ParameterRange> {
+    match written {
         Some(ParamPoly3Range::ArcLength) => Some(ParameterRange::ArcLength),
         Some(ParamPoly3Range::Normalized) => Some(ParameterRange::Normalized),
         _ => None,
+    }
+}
+
+/// A `<curveLocal>` of an object's outline that is a curve, in the object's own frame (OpenDRIVE 1.9.0, 13).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocalCurve {
+    /// Where it begins: u and v `[m]`, heading `[rad]`; a heading that is not written is 0.
+    pub start: Start,
+    /// Length as written `[m]`.
+    pub length: f64,
+    /// The shape as written.
+    pub primitive: Primitive,
+}
+
+/// The curve of a `<curveLocal>`; none where it lacks its place or its length, or has not exactly one shape with all its numbers.
+pub fn local_curve(curve: &CurveLocal) -> Option<LocalCurve> {
+    let faults = &mut Vec::new();
+    let number = |attribute: &Option<Attribute<f64>>| Some(attribute.as_ref()?.value);
+    let heading = number(&curve.hdg).unwrap_or(0.0);
+    let start = Start::new(number(&curve.u)?, number(&curve.v)?, heading);
+    let primitive = match (&curve.line, &curve.arc, &curve.param_poly3) {
+        (Some(_), None, None) => Primitive::Line,
+        (None, Some(p), None) => arc(p.span, &p.curvature, faults)?,
+        (None, None, Some(p)) => {
+            let u = [("aU", &p.a_u), ("bU", &p.b_u), ("cU", &p.c_u), ("dU", &p.d_u)];
+            let v = [("aV", &p.a_v), ("bV", &p.b_v), ("cV", &p.c_v), ("dV", &p.d_v)];
+            cubic(p.span, [u, v], range(value(&p.p_range)), faults)?
+        }
+        _ => return None,
     };
-    let range = written.unwrap_or(ParameterRange::Normalized);
-    Some((Primitive::ParamPoly3 { u: u?, v: v?, range }, written))
+    Some(LocalCurve { start, length: number(&curve.length)?, primitive })
 }
 
 impl Piece {

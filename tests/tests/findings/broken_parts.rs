@@ -149,3 +149,45 @@ const CASES: &[Case] = &[
 fn what_is_wrong_is_said_and_the_rest_stays() {
     CASES.iter().for_each(check);
 }
+
+/// A curve of an outline is checked as it is built: one without one shape is left out with its line, and the next one need not begin where it ends.
+#[test]
+fn a_curve_without_one_shape_is_neither_built_nor_followed() {
+    let curve = |u: f64, shape: &str| {
+        format!(
+            "<curveLocal id=\"0\" u=\"{u}\" v=\"0\" z=\"0\" height=\"1\" hdg=\"0\" length=\"2\">{shape}</curveLocal>\n"
+        )
+    };
+    let road = ObjectRoad { version: "1.9", ..PLAIN };
+    for (shape, left_out, gaps) in [
+        ("<line/>", 0, 1),
+        ("", 1, 0),
+        ("<line/><arc curvature=\"0.1\"/>", 1, 0),
+        ("<arc/>", 1, 0),
+        (
+            "<paramPoly3 aU=\"0\" bU=\"1\" cU=\"0\" dU=\"0\" aV=\"0\" bV=\"0\" cV=\"0\" pRange=\"arcLength\"/>",
+            1,
+            0,
+        ),
+    ] {
+        let curves = curve(0.0, shape) + &curve(9.0, "<line/>");
+        let object = format!(
+            "<object id=\"1\" type=\"building\" s=\"30\" t=\"9\" zOffset=\"0\" orientation=\"none\"><outlines><outline id=\"0\" closed=\"true\">\n{curves}</outline></outlines></object>"
+        );
+        let text = document(&road, &object);
+        let line = 1 + text[..text.find("<curveLocal").expect("a curve")].matches('\n').count();
+        let compiled = compile(&text);
+        assert!(compiled.rows.is_some(), "{shape}: {:?}", compiled.diagnostics);
+        let of = |rule: &str| {
+            let found = compiled.diagnostics.iter().filter(|one| one.finding.rule.ends_with(rule));
+            found.map(|one| one.line as usize).collect::<Vec<_>>()
+        };
+        assert_eq!(of("compile.object_part"), vec![line; left_out], "{shape}");
+        assert_eq!(
+            of("curve_local.continuous_curve_local").len(),
+            gaps,
+            "{shape}: {:?}",
+            compiled.diagnostics
+        );
+    }
+}

@@ -5,8 +5,9 @@ use super::objects::left_out;
 use crate::draft::Draft;
 use crate::draft::{Corner, Curve, Outline};
 use mapd_archive::{LaneType, NONE, ObjectOutlineRow, OutlineFill, Range, outline_flags};
-use mapd_geometry::{ParameterRange, Primitive};
-use mapd_xodr::{self as xodr, Attribute, ParamPoly3Range, Text as _, Value as _};
+use mapd_geometry::Start;
+use mapd_rules::line::{LocalCurve, local_curve};
+use mapd_xodr::{self as xodr, Attribute, Span, Text as _, Value as _};
 
 /// Fewest corners of an outline that encloses something.
 const CLOSED_CORNERS: usize = 3;
@@ -44,24 +45,27 @@ fn outline(
     part: &mut ElementContext<'_>,
 ) -> Option<Outline> {
     let (mut corners, mut ids) = (Vec::new(), Vec::new());
-    let mut add = |id: Option<u32>, corner: Option<Corner>| match corner {
+    let mut add = |span: Span, id: Option<u32>, corner: Option<Corner>| match corner {
         Some(corner) => {
             corners.push(corner);
             ids.push(id.unwrap_or(NONE));
         }
         None => {
-            let message = "a corner lacks a number, or has two shapes; the corner is left out";
-            left_out(part, message.to_owned());
+            let message = "a corner lacks a number, or a curve its one shape; it is left out";
+            let mut part = ElementContext { span, path: part.path, findings: part.findings };
+            left_out(&mut part, message.to_owned());
         }
     };
     for c in &outline.corner_road {
-        add(c.id.value(), numbers([&c.s, &c.t, &c.dz, &c.height]).map(Corner::Road));
+        let corner = numbers([&c.s, &c.t, &c.dz, &c.height]).map(Corner::Road);
+        add(c.span, c.id.value(), corner);
     }
     for c in &outline.corner_local {
-        add(c.id.value(), numbers([&c.u, &c.v, &c.z, &c.height]).map(Corner::Local));
+        let corner = numbers([&c.u, &c.v, &c.z, &c.height]).map(Corner::Local);
+        add(c.span, c.id.value(), corner);
     }
     for c in &outline.curve_local {
-        add(c.id.value(), curve(c).map(|c| Corner::Curve(Box::new(c))));
+        add(c.span, c.id.value(), curve(c).map(|c| Corner::Curve(Box::new(c))));
     }
     let has_curve = corners.iter().any(|corner| matches!(corner, Corner::Curve(_)));
     if corners.len() < 2 && !has_curve {
@@ -100,29 +104,9 @@ fn numbers([a, b, z, height]: [&Option<Attribute<f64>>; 4]) -> Option<[f64; 4]> 
     Some([a.value()?, b.value()?, z.value().unwrap_or(0.0), height.value().unwrap_or(0.0)])
 }
 
+/// Beside its shape a curve needs a place; height and z as of corners.
 fn curve(written: &xodr::CurveLocal) -> Option<Curve> {
-    let shapes = [written.line.is_some(), written.arc.is_some(), written.param_poly3.is_some()];
-    if shapes.into_iter().filter(|is_there| *is_there).count() > 1 {
-        return None;
-    }
+    let LocalCurve { start: Start { heading, .. }, length, primitive } = local_curve(written)?;
     let start = numbers([&written.u, &written.v, &written.z, &written.height])?;
-    let primitive = if let Some(arc) = &written.arc {
-        Primitive::Arc { curvature: arc.curvature.value()? }
-    } else if let Some(p) = &written.param_poly3 {
-        let [u, v] = [[&p.a_u, &p.b_u, &p.c_u, &p.d_u], [&p.a_v, &p.b_v, &p.c_v, &p.d_v]];
-        let number = |c: &Option<Attribute<f64>>| c.value().unwrap_or(0.0);
-        let range = match p.p_range.value() {
-            Some(ParamPoly3Range::ArcLength) => ParameterRange::ArcLength,
-            _ => ParameterRange::Normalized,
-        };
-        Primitive::ParamPoly3 { u: u.map(number), v: v.map(number), range }
-    } else {
-        Primitive::Line
-    };
-    Some(Curve {
-        start,
-        heading: written.hdg.value().unwrap_or(0.0),
-        length: written.length.value()?,
-        primitive,
-    })
+    Some(Curve { start, heading, length, primitive })
 }

@@ -2,12 +2,13 @@
 
 use super::outlines::all;
 use crate::example::Example::Objects as In;
-use crate::place::{ObjectIn, number, value};
+use crate::line::{LocalCurve, local_curve};
+use crate::place::{ObjectIn, value};
 use crate::rule::Check::Object;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
-use mapd_geometry::{Compiled, Curve, ParameterRange, Primitive, Start, compile};
-use mapd_xodr::{CurveLocal, Outline, ParamPoly3Range, Span};
+use mapd_geometry::{Curve, compile};
+use mapd_xodr::{Outline, Span};
 
 /// Gaps between curves that come from rounding in the file.
 const GAP: Tolerance = Tolerance { name: "gap", value: 0.01, unit: "m" };
@@ -200,44 +201,29 @@ fn one_kind(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     }
 }
 
-fn compiled(curve: &CurveLocal) -> Option<Compiled> {
-    let primitive = if curve.line.is_some() {
-        Primitive::Line
-    } else if let Some(arc) = &curve.arc {
-        Primitive::Arc { curvature: number(&arc.curvature) }
-    } else {
-        let p = curve.param_poly3.as_ref()?;
-        let range = match value(&p.p_range) {
-            Some(ParamPoly3Range::ArcLength) => ParameterRange::ArcLength,
-            _ => ParameterRange::Normalized,
-        };
-        Primitive::ParamPoly3 {
-            u: [number(&p.a_u), number(&p.b_u), number(&p.c_u), number(&p.d_u)],
-            v: [number(&p.a_v), number(&p.b_v), number(&p.c_v), number(&p.d_v)],
-            range,
-        }
-    };
-    compile(&primitive, number(&curve.length)).ok()
+/// The curves of an outline that the map is built of, with their tags.
+fn curves(outline: &Outline) -> Vec<(LocalCurve, Span)> {
+    let written = outline.curve_local.iter();
+    written.filter_map(|curve| Some((local_curve(curve)?, curve.span))).collect()
 }
 
 fn continuous(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     for outline in all(of.object) {
-        for pair in outline.curve_local.windows(2) {
-            let (curve, next) = (&pair[0], &pair[1]);
-            let Some(compiled) = compiled(curve) else { continue };
-            let start = Start::new(number(&curve.u), number(&curve.v), number(&curve.hdg));
-            let length = number(&curve.length);
+        for pair in curves(outline).windows(2) {
+            let [(curve, _), (next, span)] = pair else { continue };
+            let LocalCurve { start, length, ref primitive } = *curve;
+            let Ok(compiled) = compile(primitive, length) else { continue };
             let Some(shape) = Curve::new(compiled.kind, start, length, &compiled.coefficients)
             else {
                 continue;
             };
             let end = shape.evaluate(length);
-            let gap = mapd_geometry::hypot(number(&next.u) - end.x, number(&next.v) - end.y);
+            let gap = mapd_geometry::hypot(next.start.x - end.x, next.start.y - end.y);
             if gap > GAP.value {
                 let found = format_args!("one {gap:.3} m away");
                 sink.add_within(
                     "outlines/outline/curveLocal",
-                    next.span,
+                    *span,
                     "a start where the curve before ends",
                     found,
                 );
@@ -247,14 +233,13 @@ fn continuous(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn length_match(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
-    for curve in all(of.object).flat_map(|outline| &outline.curve_local) {
-        let Some(longer) = compiled(curve).map(|compiled| compiled.length_mismatch) else {
-            continue;
-        };
+    for (curve, span) in all(of.object).flat_map(curves) {
+        let Ok(compiled) = compile(&curve.primitive, curve.length) else { continue };
+        let longer = compiled.length_mismatch;
         if longer.abs() > LENGTH.value {
-            let expected = format_args!("a curve of the length {} m", number(&curve.length));
+            let expected = format_args!("a curve of the length {} m", curve.length);
             let found = format_args!("one that is {longer:.4} m longer");
-            sink.add_within("outlines/outline/curveLocal", curve.span, expected, found);
+            sink.add_within("outlines/outline/curveLocal", span, expected, found);
         }
     }
 }
