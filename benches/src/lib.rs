@@ -9,7 +9,6 @@
 //! cargo bench -p mapd-benches --bench overlays
 //! cargo bench -p mapd-benches --bench queries
 //! cargo bench -p mapd-benches --bench geodesy
-//! cargo bench -p mapd-benches --bench instructions
 //! cargo bench -p mapd-benches --bench routing
 //! cargo bench -p mapd-benches --bench path
 //! ```
@@ -18,7 +17,7 @@
 
 use mapd_client::{Map, Snapshot};
 pub use mapd_planner::{PARTICLES, cloud, long_way, places};
-pub use mapd_tests::maps::Random;
+pub use mapd_tests::maps::{Random, own_roads};
 use quick_xml::events::Event;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -92,19 +91,6 @@ pub fn pitch(map: Map<'_>) -> [f64; 2] {
         ends[1] - ends[0] + 100.0
     };
     [spread(|g| g.x()), spread(|g| g.y())]
-}
-
-/// Every how many roads of a map one is in its patch.
-const PATCHED: usize = 50;
-
-/// A patch that replaces some of a map's roads by themselves.
-pub fn own_roads(text: &str) -> String {
-    let ends = text.match_indices("</road>").map(|(at, tag)| at + tag.len());
-    let roads = ends.step_by(PATCHED).map(|end| {
-        let begin = text[..end].rfind("<road ").expect("a road begins");
-        &text[begin..end]
-    });
-    format!("<OpenDRIVE>{}</OpenDRIVE>", roads.collect::<Vec<_>>().concat())
 }
 
 /// A map, compiled in this process.

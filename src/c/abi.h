@@ -391,6 +391,8 @@ enum {
 #define MAPD_PATH_FACT_LANE_TYPE 4
 #define MAPD_PATH_FACT_STRUCTURE 5
 #define MAPD_PATH_FACT_HOLE 6
+#define MAPD_PATH_FACT_COUNTRY 7
+#define MAPD_PATH_FACT_ACCESS 8
 #define MAPD_PATH_FACT_OTHER 255
 #define MAPD_PATH_CHANGE_MOVED 0
 #define MAPD_PATH_CHANGE_REPLACED 1
@@ -938,6 +940,10 @@ typedef struct mapd_path_speed {
   double along_to;
   struct mapd_speed_rule rule;
 } mapd_path_speed;
+typedef struct mapd_path_time {
+  double time;
+  double unlimited;
+} mapd_path_time;
 typedef struct mapd_path_segment {
   double along_from;
   double along_to;
@@ -1416,6 +1422,10 @@ mapd_code mapd_snapshot_open_trusted(const char *path,
                                      const char *key,
                                      struct mapd_snapshot **out,
                                      struct mapd_error *error);
+mapd_code mapd_snapshot_from_bytes(const uint8_t *bytes,
+                                   size_t size,
+                                   struct mapd_snapshot **out,
+                                   struct mapd_error *error);
 mapd_code mapd_snapshot_clone(const struct mapd_snapshot *snapshot,
                               struct mapd_snapshot **out,
                               struct mapd_error *error);
@@ -1908,6 +1918,15 @@ mapd_code mapd_path_speeds(const struct mapd_path *path,
                            size_t capacity,
                            size_t *count,
                            struct mapd_error *error);
+mapd_code mapd_path_travel_time(const struct mapd_path *path,
+                                double from,
+                                double to,
+                                struct mapd_path_time *out,
+                                struct mapd_error *error);
+mapd_code mapd_country(const struct mapd_snapshot *snapshot,
+                       uint32_t number,
+                       struct mapd_text *out,
+                       struct mapd_error *error);
 mapd_code mapd_path_segments(const struct mapd_path *path,
                              uint8_t vehicle,
                              struct mapd_scratch *scratch,

@@ -17,7 +17,11 @@ pub mod coverage;
 pub mod crossroads;
 pub mod damage;
 pub mod drives;
+#[cfg(feature = "processes")]
+pub mod golden_maps;
 pub mod graph_maps;
+#[cfg(feature = "processes")]
+pub mod json_schema;
 #[cfg(feature = "processes")]
 pub mod literal;
 #[cfg(feature = "processes")]
@@ -26,7 +30,7 @@ pub mod maps;
 pub mod object_maps;
 #[cfg(feature = "processes")]
 pub mod other_user;
-#[cfg(feature = "processes")]
+#[cfg(feature = "overlays")]
 pub mod overlays;
 #[cfg(feature = "processes")]
 pub mod plain_route;

@@ -622,6 +622,16 @@ enum {
 #define MAPD_PATH_FACT_HOLE 6
 
 /*
+ `kind` of a fact: the country whose rules hold, where the file gives one; `number` for `mapd_country`.
+ */
+#define MAPD_PATH_FACT_COUNTRY 7
+
+/*
+ `kind` of a fact: who may use the driven lane in its driven direction; in `number` the bit `1 << MAPD_VEHICLE_CLASS_…` of each class.
+ */
+#define MAPD_PATH_FACT_ACCESS 8
+
+/*
  `kind` of a fact that this release has no word for.
  */
 #define MAPD_PATH_FACT_OTHER 255
@@ -2671,7 +2681,7 @@ typedef struct mapd_path_fact {
    */
   struct mapd_vec3 right;
   /*
-   Number in a list of the map; else `MAPD_NO_ROW`.
+   What the kind says, such as the number in a list of the map; else `MAPD_NO_ROW`.
    */
   uint32_t number;
   /*
@@ -2705,6 +2715,20 @@ typedef struct mapd_path_speed {
    */
   struct mapd_speed_rule rule;
 } mapd_path_speed;
+
+/*
+ How long a path or a part of it takes at the speed limits.
+ */
+typedef struct mapd_path_time {
+  /*
+   Time where a limit is known and above 0 [s].
+   */
+  double time;
+  /*
+   Length of the rest, where no limit is known or there is none [m]: its time is the caller's to say.
+   */
+  double unlimited;
+} mapd_path_time;
 
 /*
  A lane from which the goal of a path is reached along the path's own roads by allowed changes of lane.
@@ -4460,6 +4484,16 @@ mapd_code mapd_snapshot_open_trusted(const char *path,
                                      struct mapd_error *error);
 
 /*
+ As `mapd_snapshot_open`, of an archive in memory: `size` bytes, which are copied.
+
+ Errors: `MAPD_CODE_NOT_AN_ARCHIVE`.
+ */
+mapd_code mapd_snapshot_from_bytes(const uint8_t *bytes,
+                                   size_t size,
+                                   struct mapd_snapshot **out,
+                                   struct mapd_error *error);
+
+/*
  Another handle of the same snapshot, to be closed by itself: for another thread or owner.
  */
 mapd_code mapd_snapshot_clone(const struct mapd_snapshot *snapshot,
@@ -5476,8 +5510,8 @@ mapd_code mapd_path_project_batch(const struct mapd_path *path,
                                   struct mapd_error *error);
 
 /*
- What the path comes by, in ascending S: junctions with the turn, signals, stop lines and crossings, types of roads and lanes, bridges and tunnels, and
- holes of the map. What goes on over several lanes stands once. Speed limits are `mapd_path_speeds`.
+ What the path comes by, in ascending S: junctions with the turn, signals, stop lines and crossings, types of roads and lanes, countries, who may use the lane, bridges
+ and tunnels, and holes of the map. What goes on over several lanes stands once. Speed limits are `mapd_path_speeds`.
  */
 mapd_code mapd_path_facts(const struct mapd_path *path,
                           struct mapd_scratch *scratch,
@@ -5497,6 +5531,26 @@ mapd_code mapd_path_speeds(const struct mapd_path *path,
                            struct mapd_error *error);
 
 /*
+ How long a vehicle takes from S, `from`, to S, `to` [m], at the speed limits. S outside the path is moved to its nearer end.
+
+ Errors: `MAPD_CODE_ARGUMENT` where `from` is more than `to`; `MAPD_CODE_NOT_FINITE`.
+ */
+mapd_code mapd_path_travel_time(const struct mapd_path *path,
+                                double from,
+                                double to,
+                                struct mapd_path_time *out,
+                                struct mapd_error *error);
+
+/*
+ A country of a path's fact, as the file writes it: two or three letters, or a name in older versions. `MAPD_CODE_NONE` for a number that is not one of the
+ map's.
+ */
+mapd_code mapd_country(const struct mapd_snapshot *snapshot,
+                       uint32_t number,
+                       struct mapd_text *out,
+                       struct mapd_error *error);
+
+/*
  On every stretch of the path the lanes from which its goal is reached along the same roads, from left to right as the driver sees them. Stretches are
  in ascending S and cover the path; on each it is the same who may go where. `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
 
@@ -5512,9 +5566,9 @@ mapd_code mapd_path_segments(const struct mapd_path *path,
 
 /*
  The steps over lanes that follow each other, as `mapd_lane_sequences` lists them, from s [m] on the first to s on the last; each in its own
- driving direction.
+ driving direction, one for both directions in that which links ask for.
 
- Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
+ Errors, by the number of the lane: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for one that does not follow the lane before.
  */
 mapd_code mapd_steps_of_lanes(const struct mapd_snapshot *snapshot,
                               const struct mapd_lane_id *lanes,

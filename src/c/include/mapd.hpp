@@ -37,7 +37,12 @@ class Snapshot : public Queries {
     return detail::handle<Snapshot>(
         [&](auto... out) { return mapd_snapshot_open_trusted(path.c_str(), key.c_str(), out...); });
   }
+  /// An archive in memory, which is copied.
+  static Result<Snapshot> try_from_bytes(span<const std::uint8_t> bytes) {
+    return detail::handle<Snapshot>([&](auto... out) { return mapd_snapshot_from_bytes(bytes.data(), bytes.size(), out...); });
+  }
 #if MAPD_EXCEPTIONS
+  static Snapshot from_bytes(span<const std::uint8_t> bytes) { return try_from_bytes(bytes).value(); }
   static Snapshot open(const std::string& path) { return try_open(path).value(); }
   static Snapshot open_trusted(const std::string& path, const std::string& key) {
     return try_open_trusted(path, key).value();

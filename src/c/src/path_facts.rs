@@ -3,13 +3,15 @@
 use crate::code::{answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::{MAPD_NO_ROW, mapd_junction_id, mapd_lane_id, mapd_signal_id};
-use crate::list::{List, get_mut};
+use crate::list::{List, finite, get_mut, put, put_some};
 use crate::path::{mapd_path, path_of};
 use crate::point::mapd_vec3;
 use crate::scratch::mapd_scratch;
 use crate::signals::{mapd_speed_rule, speed_rule};
 use crate::signals_ahead::{lane_line, mapd_lane_line_at};
-use mapd_client::path::{PathFact, PathFactKind, PathSegment, PathSpeed};
+use crate::snapshot::{map_of, mapd_snapshot};
+use crate::text::mapd_text;
+use mapd_client::path::{PathFact, PathFactKind, PathSegment, PathSpeed, PathTime};
 
 /// `kind` of a fact: a junction, from where the path enters it to where it leaves it; `junction`, and in `code` where the movement leads, a `MAPD_TURN_…`.
 pub const MAPD_PATH_FACT_JUNCTION: u8 = 0;
@@ -25,6 +27,10 @@ pub const MAPD_PATH_FACT_LANE_TYPE: u8 = 4;
 pub const MAPD_PATH_FACT_STRUCTURE: u8 = 5;
 /// `kind` of a fact: a part of the document near the path that is left out of the map; `number` among `mapd_quarantined_parts`.
 pub const MAPD_PATH_FACT_HOLE: u8 = 6;
+/// `kind` of a fact: the country whose rules hold, where the file gives one; `number` for `mapd_country`.
+pub const MAPD_PATH_FACT_COUNTRY: u8 = 7;
+/// `kind` of a fact: who may use the driven lane in its driven direction; in `number` the bit `1 << MAPD_VEHICLE_CLASS_…` of each class.
+pub const MAPD_PATH_FACT_ACCESS: u8 = 8;
 /// `kind` of a fact that this release has no word for.
 pub const MAPD_PATH_FACT_OTHER: u8 = 255;
 
@@ -48,7 +54,7 @@ pub struct mapd_path_fact {
     pub left: mapd_vec3,
     /// Of a line its right end.
     pub right: mapd_vec3,
-    /// Number in a list of the map; else `MAPD_NO_ROW`.
+    /// What the kind says, such as the number in a list of the map; else `MAPD_NO_ROW`.
     pub number: u32,
     /// What the kind says.
     pub code: u8,
@@ -68,6 +74,16 @@ pub struct mapd_path_speed {
     pub along_to: f64,
     /// What holds there.
     pub rule: mapd_speed_rule,
+}
+
+/// How long a path or a part of it takes at the speed limits.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_path_time {
+    /// Time where a limit is known and above 0 \[s\].
+    pub time: f64,
+    /// Length of the rest, where no limit is known or there is none \[m\]: its time is the caller's to say.
+    pub unlimited: f64,
 }
 
 /// A lane from which the goal of a path is reached along the path's own roads by allowed changes of lane.
@@ -138,6 +154,12 @@ impl From<&PathFact> for mapd_path_fact {
                 Self { kind: MAPD_PATH_FACT_STRUCTURE, code: kind.code(), number, ..own }
             }
             PathFactKind::Hole { number } => Self { kind: MAPD_PATH_FACT_HOLE, number, ..own },
+            PathFactKind::Country { number } => {
+                Self { kind: MAPD_PATH_FACT_COUNTRY, number, ..own }
+            }
+            PathFactKind::Access { classes } => {
+                Self { kind: MAPD_PATH_FACT_ACCESS, number: classes.into(), ..own }
+            }
             _ => own,
         }
     }
@@ -166,8 +188,8 @@ impl From<&PathSegment> for mapd_path_segment {
     }
 }
 
-/// What the path comes by, in ascending S: junctions with the turn, signals, stop lines and crossings, types of roads and lanes, bridges and tunnels, and
-/// holes of the map. What goes on over several lanes stands once. Speed limits are `mapd_path_speeds`.
+/// What the path comes by, in ascending S: junctions with the turn, signals, stop lines and crossings, types of roads and lanes, countries, who may use the lane, bridges
+/// and tunnels, and holes of the map. What goes on over several lanes stands once. Speed limits are `mapd_path_speeds`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_path_facts(
     path: *const mapd_path,
@@ -203,6 +225,38 @@ pub unsafe extern "C" fn mapd_path_speeds(
             List { out, capacity, count }.write(found.iter().map(Into::into))
         })
     }
+}
+
+/// How long a vehicle takes from S, `from`, to S, `to` \[m\], at the speed limits. S outside the path is moved to its nearer end.
+///
+/// Errors: `MAPD_CODE_ARGUMENT` where `from` is more than `to`; `MAPD_CODE_NOT_FINITE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_path_travel_time(
+    path: *const mapd_path,
+    from: f64,
+    to: f64,
+    out: *mut mapd_path_time,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let part = [finite(from)?, finite(to)?];
+            let PathTime { time, unlimited } = path_of(path)?.travel_time(part)?;
+            put(out, mapd_path_time { time, unlimited })
+        })
+    }
+}
+
+/// A country of a path's fact, as the file writes it: two or three letters, or a name in older versions. `MAPD_CODE_NONE` for a number that is not one of the
+/// map's.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_country(
+    snapshot: *const mapd_snapshot,
+    number: u32,
+    out: *mut mapd_text,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe { answer(error, || put_some(out, map_of(snapshot)?.country(number).map(Into::into))) }
 }
 
 /// On every stretch of the path the lanes from which its goal is reached along the same roads, from left to right as the driver sees them. Stretches are

@@ -60,9 +60,9 @@ impl From<&PathChange> for mapd_path_change {
 }
 
 /// The steps over lanes that follow each other, as `mapd_lane_sequences` lists them, from s \[m\] on the first to s on the last; each in its own
-/// driving direction.
+/// driving direction, one for both directions in that which links ask for.
 ///
-/// Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`.
+/// Errors, by the number of the lane: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for one that does not follow the lane before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_steps_of_lanes(
     snapshot: *const mapd_snapshot,

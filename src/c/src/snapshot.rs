@@ -75,6 +75,13 @@ fn content_of(hash: &[u8; 32]) -> u64 {
     u64::from_le_bytes([a, b, c, d, e, f, g, h])
 }
 
+/// A copy that lies as archives and overlays need it.
+fn aligned(bytes: &[u8]) -> AlignedBytes {
+    let mut own = AlignedBytes::with_capacity(bytes.len());
+    own.extend_from_slice(bytes);
+    own
+}
+
 /// The map of a handle.
 ///
 /// # Safety
@@ -122,6 +129,24 @@ pub unsafe extern "C" fn mapd_snapshot_open_trusted(
     }
 }
 
+/// As `mapd_snapshot_open`, of an archive in memory: `size` bytes, which are copied.
+///
+/// Errors: `MAPD_CODE_NOT_AN_ARCHIVE`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_snapshot_from_bytes(
+    bytes: *const u8,
+    size: usize,
+    out: *mut *mut mapd_snapshot,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let own = aligned(entries(bytes, size, "the archive")?);
+            hand_out(out, mapd_snapshot(Snapshot::from_bytes(own)?))
+        })
+    }
+}
+
 /// Another handle of the same snapshot, to be closed by itself: for another thread or owner.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_snapshot_clone(
@@ -154,9 +179,7 @@ pub unsafe extern "C" fn mapd_snapshot_with_overlay(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let bytes = entries(bytes, size, "the overlay")?;
-            let mut own = AlignedBytes::with_capacity(bytes.len());
-            own.extend_from_slice(bytes);
+            let own = aligned(entries(bytes, size, "the overlay")?);
             hand_out(out, mapd_snapshot(get(snapshot, "a snapshot")?.0.with_overlay(own)?))
         })
     }

@@ -202,6 +202,12 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_facts(path, NULL, &fact, 1, &count, &error));
   EXPECT(MAPD_CODE_OK, mapd_path_steps_between(path, steps, step_count, 0.25, 0.5, scratch, part, 64, &count, &error));
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_steps_between(path, steps, step_count, NAN, 0.5, scratch, part, 64, &count, &error));
+  mapd_path_time time;
+  mapd_text country;
+  EXPECT(MAPD_CODE_OK, mapd_path_travel_time(path, 0.25, 0.5, &time, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_travel_time(path, NAN, 0.5, &time, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_travel_time(path, 0.5, 0.25, &time, &error));
+  EXPECT(MAPD_CODE_NONE, mapd_country(map, MAPD_NO_ROW, &country, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_path_steps_between(path, steps, 0, 0.25, 0.5, scratch, part, 64, &count, &error));
   EXPECT(MAPD_CODE_NULL_POINTER,
          mapd_path_rebase(path, NULL, by_length, scratch, &sum, part, 64, &count, &change, 1, &length, &error));
@@ -223,6 +229,8 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_ARGUMENT, mapd_view_new(map, 1e300, &view, &error));
   EXPECT(MAPD_CODE_NOT_AN_ARCHIVE, mapd_snapshot_with_overlay(map, (const uint8_t *)"no overlay", 10, &laid, &error));
   EXPECT(MAPD_CODE_NOT_AN_ARCHIVE, mapd_snapshot_with_overlay(map, NULL, 0, &laid, &error));
+  EXPECT(MAPD_CODE_NOT_AN_ARCHIVE, mapd_snapshot_from_bytes((const uint8_t *)"no archive", 10, &laid, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_snapshot_from_bytes(NULL, 10, &laid, &error));
   EXPECT(MAPD_CODE_OK, mapd_view_new(map, -1.5, &view, &error));
   EXPECT(MAPD_CODE_OK, mapd_view_allows(view, hit.lane, 1.0, 0, &permission, &error));
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_view_allows(view, hit.lane, NAN, 0, &permission, &error));
@@ -314,6 +322,30 @@ int main(int argc, char **argv) {
   const mapd_code projected = mapd_projector_new(map, &projector, &error);
   if (projected != MAPD_CODE_OK && projected != MAPD_CODE_NO_PROJECTION) ++failures;
   mapd_projector_close(&projector);
+
+  /* From memory that is freed; and what was made from a snapshot outlives it. */
+  FILE *file = fopen(argv[1], "rb");
+  if (!file || fseek(file, 0, SEEK_END) != 0) return EXIT_FAILURE;
+  const size_t size = (size_t)ftell(file);
+  uint8_t *bytes = malloc(size);
+  rewind(file);
+  if (!bytes || fread(bytes, 1, size, file) != size) return EXIT_FAILURE;
+  fclose(file);
+  EXPECT(MAPD_CODE_OK, mapd_snapshot_from_bytes(bytes, size, &laid, &error));
+  free(bytes);
+  steps[0].enter = MAPD_ENTER_START;
+  EXPECT(MAPD_CODE_OK, mapd_path_new(laid, steps, step_count, NULL, &path, &error));
+  EXPECT(MAPD_CODE_OK, mapd_view_new(laid, 0.0, &view, &error));
+  const mapd_code of_laid = mapd_projector_new(laid, &projector, &error);
+  mapd_snapshot_close(&laid);
+  EXPECT(MAPD_CODE_OK, mapd_path_at(path, 0.5, at, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_corridor(path, 0.0, 0.0, 0.5, 0, scratch, &station, 1, &count, &error));
+  EXPECT(MAPD_CODE_OK, mapd_view_allows(view, hit.lane, 1.0, 0, &permission, &error));
+  mapd_geodetic place;
+  if (of_laid == MAPD_CODE_OK && mapd_to_geodetic(projector, at[0].position, &place, &error) != MAPD_CODE_OK) ++failures;
+  mapd_projector_close(&projector);
+  mapd_view_close(&view);
+  mapd_path_close(&path);
 
   /* After closing. */
   mapd_snapshot_close(&map);

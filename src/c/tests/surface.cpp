@@ -100,6 +100,9 @@ int main(int argc, char** argv) {
   const mapd::LaneId own[] = {lane};
   const auto steps = map.try_steps_of_lanes(own, 10.0, 40.0, scratch);
   CHECK(steps && steps->size() == 1 && (*steps)[0].lane == lane && std::fabs(*map.try_steps_length(*steps) - 30.0) < 1e-6);
+  const auto on_it = map.try_path(*steps);
+  const auto time = on_it->try_travel_time(0.0, 10.0);
+  CHECK(time && time->time >= 0.0 && time->unlimited >= 0.0 && map.try_country(MAPD_NO_ROW) && !*map.try_country(MAPD_NO_ROW));
   const auto change = map.try_next_lane_change(*steps, 0, places[0], scratch);
   CHECK(change && !*change);
   const auto along = map.try_signals_along(*steps, scratch);
@@ -130,6 +133,37 @@ int main(int argc, char** argv) {
     const mapd::Vec3 none[] = {of_map[0], {NAN, 0.0, 0.0}};
     CHECK(projector->try_to_geodetic(none, on_earth).code == MAPD_CODE_NOT_FINITE);
   }
+
+  // What was made from a snapshot outlives it, and a snapshot from memory that memory.
+  std::optional<mapd::Path> path;
+  std::optional<mapd::View> view;
+  std::optional<mapd::Projector> placer;
+  {
+    std::vector<std::uint8_t> bytes;
+    if (std::FILE* file = std::fopen(argv[3], "rb")) {
+      for (int byte; (byte = std::fgetc(file)) != EOF;) bytes.push_back(static_cast<std::uint8_t>(byte));
+      std::fclose(file);
+    }
+    CHECK(mapd::Snapshot::try_from_bytes({}).code() == MAPD_CODE_NOT_AN_ARCHIVE);
+    auto held = mapd::Snapshot::try_from_bytes(bytes);
+    CHECK(held.has_value());
+    if (!held) return 1;
+    bytes = {};
+    const auto first = held->try_nearest_lane({5.0, -1.75});
+    CHECK(first && *first);
+    if (!first || !*first) return 1;
+    const mapd::LaneId only[] = {(*first)->lane};
+    auto built = held->try_path(*held->try_steps_of_lanes(only, 1.0, 9.0, scratch));
+    auto today = held->try_view(0.0);
+    auto projected = held->try_projector();
+    CHECK(built && today && projected);
+    if (!built || !today || !projected) return 1;
+    path.emplace(*std::move(built));
+    view.emplace(*std::move(today));
+    placer.emplace(*std::move(projected));
+  }
+  const auto start = path->try_at(0.0);
+  CHECK(start && placer->try_to_geodetic(start->position) && view->try_allows({start->lane, start->s}, MAPD_VEHICLE_CLASS_PASSENGER_CAR));
 
 #if MAPD_EXCEPTIONS
   map.populate();

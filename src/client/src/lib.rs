@@ -32,6 +32,8 @@ pub mod overlay;
 mod snapshot;
 #[cfg(feature = "trust")]
 mod trust;
+#[cfg(feature = "trust")]
+mod trust_overlay;
 
 pub use client::{Attach, Client};
 pub use error::ClientError;
@@ -41,3 +43,5 @@ pub use mapd_transport::{AttachError, Domain, DomainError, GenerationInfo};
 pub use snapshot::Snapshot;
 #[cfg(feature = "trust")]
 pub use trust::{SIGNATURE_SUFFIX, TrustError, TrustedKey, read_signature, signature_path};
+#[cfg(feature = "trust")]
+pub use trust_overlay::SignedEntries;

@@ -73,6 +73,32 @@ pub enum TrustError {
         /// The archive.
         archive: String,
     },
+    /// A signed document is no document of entries.
+    #[error("{document}: {reason}; it is signed, but no document of entries")]
+    Document {
+        /// The document.
+        document: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// An entry of an overlay is in no signed document.
+    #[error(
+        "map {map:?}: entry {id:?} of its overlay is in none of the signed documents; get all that were applied, or remove the entry"
+    )]
+    UnsignedEntry {
+        /// The map.
+        map: String,
+        /// The entry.
+        id: String,
+    },
+    /// An overlay is not what its signed entries make of the map.
+    #[error(
+        "map {map:?}: its overlay is not what the signed documents say, or was made by another release of mapd"
+    )]
+    OtherOverlay {
+        /// The map.
+        map: String,
+    },
     /// The archive was changed after it was signed.
     #[error(
         "{archive} is not what was signed: the file or its signature has been altered; get both again from their source"

@@ -66,7 +66,7 @@ fn open(source: &str) -> Result<Snapshot> {
     let domain = Domain::from_env()?;
     let live = Attaching { domain: &domain, attach: Attach::Observer, wait: WAIT };
     match source::open(source, compiling, live, &mut |_| {})? {
-        Opened::Map(map) => Ok(map),
+        Opened::Map(map, _) => Ok(map),
         Opened::Rejected(_) => bail!("{source} is rejected: `mapd check {source}` says why"),
     }
 }

@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
-"""What a package of mapd is made of: THIRD-PARTY.txt (licences of all dependencies), bom.cdx.json (CycloneDX 1.5) and provenance.json (in-toto
-statement, SLSA provenance 1.0), from what cargo and git say. materials.py OUT FILE...: the files are what the provenance is about."""
+"""What packages of mapd are made of, from what cargo and git say.
+
+    materials.py OUT                      OUT/KIND/THIRD-PARTY.txt (licences of all dependencies) and OUT/KIND/bom.cdx.json (CycloneDX 1.5) of each
+                                          kind of package
+    materials.py --provenance FILE...     FILE.provenance.json beside each package (in-toto statement, SLSA provenance 1.0)
+"""
 
 import hashlib
 import json
@@ -11,8 +15,8 @@ import uuid
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TARGET = "x86_64-unknown-linux-gnu"
-# Programs and libraries that packages carry.
-PACKED = ("mapd", "mapd-c", "mapd-python")
+# Programs and libraries that each kind of package carries. An image has what `mapd`, which is installed in it, has.
+PACKED = {"mapd": ("mapd",), "libmapd": ("mapd-c",), "tarball": ("mapd", "mapd-c"), "wheel": ("mapd-python",)}
 LICENCE_FILES = ("licen", "copying", "notice", "unlicense", "copyright")
 
 
@@ -20,12 +24,16 @@ def said(*command):
     return subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
 
 
-def dependencies():
-    """Crates that PACKED link, without those that only build or test."""
+def resolved():
+    """Every crate of the workspace's lock file, and what each depends on."""
     metadata = json.loads(said("cargo", "metadata", "--locked", "--format-version", "1", "--filter-platform", TARGET))
     packages = {package["id"]: package for package in metadata["packages"]}
-    nodes = {node["id"]: node for node in metadata["resolve"]["nodes"]}
-    found, waiting = {}, [id for id, package in packages.items() if package["name"] in PACKED]
+    return packages, {node["id"]: node for node in metadata["resolve"]["nodes"]}
+
+
+def dependencies(packages, nodes, packed):
+    """Crates that are packed or linked, without those that only build or test."""
+    found, waiting = {}, [id for id, package in packages.items() if package["name"] in packed]
     while waiting:
         id = waiting.pop()
         if id in found:
@@ -60,8 +68,7 @@ def purl(package):
     return f"pkg:cargo/{package['name']}@{package['version']}"
 
 
-def bom(found, version, revision):
-    ours = [package for package, _ in found.values() if package["name"] == "mapd"][0]
+def bom(kind, packed, found, version, revision):
     components = [
         {
             "type": "library",
@@ -72,16 +79,16 @@ def bom(found, version, revision):
             **({"licenses": [{"expression": package["license"].replace("/", " OR ")}]} if package["license"] else {}),
         }
         for package, _ in found.values()
-        if package is not ours
     ]
-    links = [{"ref": purl(package), "dependsOn": sorted(purl(found[id][0]) for id in linked)} for package, linked in found.values()]
+    links = [{"ref": kind, "dependsOn": sorted(purl(package) for package, _ in found.values() if package["name"] in packed)}]
+    links += [{"ref": purl(package), "dependsOn": sorted(purl(found[id][0]) for id in linked)} for package, linked in found.values()]
     return {
         "bomFormat": "CycloneDX",
         "specVersion": "1.5",
         # The same for the same revision.
-        "serialNumber": f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_URL, f'mapd {version} {revision}')}",
+        "serialNumber": f"urn:uuid:{uuid.uuid5(uuid.NAMESPACE_URL, f'mapd {version} {kind} {revision}')}",
         "version": 1,
-        "metadata": {"component": {"type": "application", "bom-ref": purl(ours), "name": "mapd", "version": version, "purl": purl(ours)}},
+        "metadata": {"component": {"type": "application", "bom-ref": kind, "name": f"mapd ({kind})", "version": version}},
         "components": sorted(components, key=lambda component: component["bom-ref"]),
         "dependencies": sorted(links, key=lambda link: link["ref"]),
     }
@@ -91,10 +98,10 @@ def digest(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def provenance(files, revision):
+def provenance(file, revision):
     return {
         "_type": "https://in-toto.io/Statement/v1",
-        "subject": [{"name": path.name, "digest": {"sha256": digest(path)}} for path in files],
+        "subject": [{"name": file.name, "digest": {"sha256": digest(file)}}],
         "predicateType": "https://slsa.dev/provenance/v1",
         "predicate": {
             "buildDefinition": {
@@ -111,24 +118,38 @@ def provenance(files, revision):
     }
 
 
-def main(out, *files):
-    out = pathlib.Path(out)
-    found = dependencies()
-    crates = sorted((package for package, _ in found.values() if package["source"]), key=lambda package: package["name"])
-    revision = said("git", "rev-parse", "HEAD") if (ROOT / ".git").exists() else "unknown"
-    version = [package["version"] for package, _ in found.values() if package["name"] == "mapd"][0]
-    without = [package["name"] for package in crates if not package["license"] and not texts(package)]
-    if without:
-        sys.exit(f"no licence: {', '.join(without)}")
-    if files:
-        statement = provenance([pathlib.Path(file) for file in files], revision)
-        (out / "provenance.json").write_text(json.dumps(statement, indent=1) + "\n")
+def written(path, value):
+    path.write_text(json.dumps(value, indent=1) + "\n")
+
+
+def revision():
+    return said("git", "rev-parse", "HEAD") if (ROOT / ".git").exists() else "unknown"
+
+
+def make(out):
+    packages, nodes = resolved()
+    for kind, packed in PACKED.items():
+        found = dependencies(packages, nodes, packed)
+        crates = sorted((package for package, _ in found.values() if package["source"]), key=lambda package: package["name"])
+        without = [package["name"] for package in crates if not package["license"] and not texts(package)]
+        if without:
+            sys.exit(f"no licence: {', '.join(without)}")
+        version = [package["version"] for package, _ in found.values() if package["name"] in packed][0]
+        folder = pathlib.Path(out) / kind
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "THIRD-PARTY.txt").write_text(third_party(crates))
+        written(folder / "bom.cdx.json", bom(kind, packed, found, version, revision()))
+
+
+def main(first="", *files):
+    if first == "--provenance" and files:
+        for file in map(pathlib.Path, files):
+            written(file.with_name(f"{file.name}.provenance.json"), provenance(file, revision()))
+    elif first and not files:
+        make(first)
     else:
-        (out / "THIRD-PARTY.txt").write_text(third_party(crates))
-        (out / "bom.cdx.json").write_text(json.dumps(bom(found, version, revision), indent=1) + "\n")
+        sys.exit(__doc__)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
     main(*sys.argv[1:])

@@ -18,8 +18,8 @@ pub const WAIT: Duration = Duration::from_secs(2);
 
 /// A source that answers queries, or the report of why it does not.
 pub enum Opened {
-    /// A map.
-    Map(Snapshot),
+    /// A map; of an OpenDRIVE file also what was found, without the rows.
+    Map(Snapshot, Option<Box<Compilation>>),
     /// An OpenDRIVE file that was rejected.
     Rejected(Box<Compilation>),
 }
@@ -130,15 +130,18 @@ pub fn open(
 ) -> Result<Opened> {
     if let Some(name) = source.strip_prefix(SHARED) {
         let client = Client::connect_as(live.attach, live.domain, name, live.wait)?;
-        return Ok(Opened::Map(client.snapshot()));
+        return Ok(Opened::Map(client.snapshot(), None));
     }
     let path = Path::new(source);
     if is_archive(path) {
-        return Ok(Opened::Map(Snapshot::open(path)?));
+        return Ok(Opened::Map(Snapshot::open(path)?, None));
     }
-    let compiled = compile_file_with(path, compiling, progress)?;
-    match &compiled.rows {
-        Some(rows) => Ok(Opened::Map(Snapshot::from_bytes(encode(rows, &compiled.provenance)?)?)),
+    let mut compiled = compile_file_with(path, compiling, progress)?;
+    match compiled.rows.take() {
+        Some(rows) => {
+            let snapshot = Snapshot::from_bytes(encode(&rows, &compiled.provenance)?)?;
+            Ok(Opened::Map(snapshot, Some(Box::new(compiled))))
+        }
         None => Ok(Opened::Rejected(Box::new(compiled))),
     }
 }

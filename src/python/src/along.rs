@@ -106,6 +106,18 @@ fn fact<'py>(py: Python<'py>, held: &Arc<Held>, fact: &PathFact) -> PyResult<Bou
             fields.set_item("kind", "hole")?;
             fields.set_item("number", number)?;
         }
+        PathFactKind::Country { number } => {
+            fields.set_item("kind", "country")?;
+            fields.set_item("name", held.map().country(number))?;
+        }
+        PathFactKind::Access { classes } => {
+            let all = VehicleClass::ALL.iter().filter(|class| classes & class.bit() != 0);
+            fields.set_item("kind", "access")?;
+            fields.set_item(
+                "vehicles",
+                PyTuple::new(py, all.map(|class| class.name()).collect::<Vec<_>>())?,
+            )?;
+        }
         _ => fields.set_item("kind", "other")?,
     }
     result(py, "PathFact", &fields)

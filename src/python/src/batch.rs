@@ -6,7 +6,7 @@ use crate::input::NONE_ID;
 use crate::signal::Signal;
 use mapd_client::batch::{self, NearestLanes};
 use mapd_client::roads::Material;
-use mapd_client::rules::SpeedRule;
+use mapd_client::rules::{OvertakingRule, SpeedRule};
 use mapd_client::{Clamped, LaneId, LanePosition, Pose, QueryError};
 use numpy::{IntoPyArray, ndarray::Array2};
 use pyo3::prelude::*;
@@ -105,7 +105,11 @@ pub(crate) struct Positions {
     pub(crate) lane: Vec<u64>,
     numbers: [Vec<f64>; 6],
     clamped: Vec<i8>,
+    of_reference_line: [Vec<f64>; 2],
 }
+
+/// What stands in `of_reference_line` where no lane is.
+const NOWHERE: [f64; 2] = [f64::NAN; 2];
 
 impl Positions {
     pub(crate) fn with_capacity(rows: usize) -> Self {
@@ -113,18 +117,39 @@ impl Positions {
             lane: Vec::with_capacity(rows),
             numbers: std::array::from_fn(|_| Vec::with_capacity(rows)),
             clamped: Vec::with_capacity(rows),
+            of_reference_line: std::array::from_fn(|_| Vec::with_capacity(rows)),
         }
     }
 
     /// Nearest lanes as they are.
     pub(crate) fn of(content: u32, found: NearestLanes) -> Self {
-        let NearestLanes { lane, s, t, offset, distance, z, heading, clamped, .. } = found;
+        let NearestLanes {
+            lane,
+            s,
+            t,
+            offset,
+            distance,
+            z,
+            heading,
+            heading_of_reference_line,
+            clamped,
+        } = found;
+        let headings = heading.iter().zip(&heading_of_reference_line);
+        let offsets = offset.iter().zip(headings);
+        // Traffic goes along the reference line or against it.
+        let turned = offsets.map(|(own, (lane, line))| if lane == line { *own } else { -own });
+        let of_reference_line = [turned.collect(), heading_of_reference_line];
         let id_of = |lane: LaneId| id(content, lane.row());
         Self {
             lane: lane.into_iter().map(|lane| lane.map_or(NONE_ID, id_of)).collect(),
             numbers: [s, t, offset, distance, z, heading],
             clamped: clamped.into_iter().map(clamped_code).collect(),
+            of_reference_line,
         }
+    }
+
+    fn push_of_reference_line(&mut self, values: [f64; 2]) {
+        self.of_reference_line.iter_mut().zip(values).for_each(|(column, one)| column.push(one));
     }
 
     #[inline]
@@ -133,6 +158,7 @@ impl Positions {
         let values = [at.s, at.t, at.offset, at.distance, at.z, at.heading];
         self.numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
         self.clamped.push(clamped_code(at.clamped));
+        self.push_of_reference_line([at.offset_of_reference_line, at.heading_of_reference_line]);
     }
 
     /// A row for a point that is near no lane.
@@ -142,14 +168,35 @@ impl Positions {
         let values = [f64::NAN, f64::NAN, f64::NAN, f64::INFINITY, f64::NAN, f64::NAN];
         self.numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
         self.clamped.push(0);
+        self.push_of_reference_line(NOWHERE);
     }
 
     pub(crate) fn columns(self) -> Vec<Column> {
         let mut columns = vec![Column::Ids(self.lane)];
         columns.extend(self.numbers.into_iter().map(Column::Numbers));
         columns.push(Column::Codes(self.clamped));
+        columns.extend(self.of_reference_line.into_iter().map(Column::Numbers));
         columns
     }
+}
+
+/// Fields of a point in a lane's coordinates, to which callers add theirs.
+pub(crate) fn position_fields<'py>(
+    py: Python<'py>,
+    at: &LanePosition,
+) -> PyResult<Bound<'py, PyDict>> {
+    Ok(fields!(
+        py,
+        s = at.s,
+        t = at.t,
+        offset = at.offset,
+        distance = at.distance,
+        z = at.z,
+        heading = at.heading,
+        clamped = clamped_code(at.clamped),
+        offset_of_reference_line = at.offset_of_reference_line,
+        heading_of_reference_line = at.heading_of_reference_line,
+    ))
 }
 
 /// Words of speed limits' origins; columns hold their places.
@@ -204,6 +251,16 @@ pub(crate) fn material<'py>(
         roughness = one.roughness,
     );
     result(py, "Material", &fields).map(Some)
+}
+
+pub(crate) fn overtaking_rule<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    rule: &OvertakingRule,
+) -> PyResult<Bound<'py, PyAny>> {
+    let [all, trucks] =
+        [rule.all, rule.trucks].map(|sign| sign.map(|sign| Signal::new(held, sign)));
+    result(py, "OvertakingRule", &fields!(py, all = all, trucks = trucks))
 }
 
 /// Columns of poses.

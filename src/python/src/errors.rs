@@ -75,6 +75,7 @@ pub(crate) fn client(error: ClientError) -> PyErr {
         ClientError::Attach(attach) => attach_class(attach),
         ClientError::File { path, error } => return file(path, error),
         ClientError::Open { .. } | ClientError::Verify { .. } => "ArchiveError",
+        ClientError::Trust(_) => "NotTrustedError",
         _ => "MapdError",
     };
     raise(class, error.to_string())

@@ -76,6 +76,10 @@ impl Junction {
         self.number()
     }
 
+    fn _repr_html_<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        this.py().import("mapd._pictures")?.call_method1("junction_html", (this,))
+    }
+
     fn __repr__(&self) -> PyResult<String> {
         let junction = self.junction()?;
         Ok(format!(

@@ -31,14 +31,46 @@ mod signal;
 mod tracker;
 mod view;
 
+use mapd_client::vocabulary::{
+    AnnotationKind, AnnotationOwner, Class, ConflictKind, ContactPoint, EdgeKind,
+    JunctionGroupKind, LaneType, QuarantinedKind, Relation, RelationReason, RoadMarkColor,
+    RoadMarkKind, StructureKind, VehicleClass,
+};
 use pyo3::prelude::*;
+use std::collections::BTreeMap;
 
 /// Words by their codes.
-fn words<T>(
-    all: &[T],
-    of: impl Fn(&T) -> (u8, &'static str),
-) -> std::collections::BTreeMap<u8, &'static str> {
+fn words<T>(all: &[T], of: impl Fn(&T) -> (u8, &'static str)) -> BTreeMap<u8, &'static str> {
     all.iter().map(of).collect()
+}
+
+/// Words by their codes, of every vocabulary of which tables have codes and answers words.
+fn vocabularies() -> BTreeMap<&'static str, BTreeMap<u16, &'static str>> {
+    macro_rules! words_of {
+        ($($name:literal = $type:ident),* $(,)?) => {
+            BTreeMap::from([$((
+                $name,
+                $type::ALL.iter().chain([&$type::Unknown]).map(|one| (u16::from(one.code()), one.name())).collect(),
+            )),*])
+        };
+    }
+    words_of! {
+        "annotation_kind" = AnnotationKind,
+        "annotation_owner" = AnnotationOwner,
+        "class" = Class,
+        "conflict_kind" = ConflictKind,
+        "contact_point" = ContactPoint,
+        "edge_kind" = EdgeKind,
+        "junction_group_kind" = JunctionGroupKind,
+        "lane_type" = LaneType,
+        "quarantined_kind" = QuarantinedKind,
+        "relation" = Relation,
+        "relation_reason" = RelationReason,
+        "road_mark_color" = RoadMarkColor,
+        "road_mark_kind" = RoadMarkKind,
+        "structure_kind" = StructureKind,
+        "vehicle_class" = VehicleClass,
+    }
 }
 
 /// The compiled part of `mapd`.
@@ -72,6 +104,7 @@ fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
         "MARK_COLORS",
         words(mapd_client::vocabulary::RoadMarkColor::ALL, |one| (one.code(), one.name())),
     )?;
+    m.add("WORDS", vocabularies())?;
     m.add("SPEED_ORIGINS", batch::SPEED_ORIGINS)?;
     m.add("EDGES", along::EDGES)?;
     m.add("TRACKED", tracker::STATES)?;

@@ -1,6 +1,6 @@
 //! Which lanes vehicles may be in, by poses or by a trace.
 
-use crate::batch::{Column, Positions, columns, fields, result};
+use crate::batch::{Column, Positions, columns, fields, position_fields, result};
 use crate::errors::{match_in_row, matching};
 use crate::held::{Held, content};
 use crate::input::{Rows, column, matrices, one_point};
@@ -38,21 +38,12 @@ pub(crate) fn lane_match<'py>(
     held: &Arc<Held>,
     found: &LaneMatch,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let at = &found.position;
-    let fields = fields!(
-        py,
-        lane = Lane::new(held, found.lane.row()),
-        forward = found.forward,
-        probability = found.probability,
-        mahalanobis = found.mahalanobis,
-        heading_difference = found.heading_difference,
-        s = at.s,
-        t = at.t,
-        offset = at.offset,
-        distance = at.distance,
-        z = at.z,
-        heading = at.heading,
-    );
+    let fields = position_fields(py, &found.position)?;
+    fields.set_item("lane", Lane::new(held, found.lane.row()))?;
+    fields.set_item("forward", found.forward)?;
+    fields.set_item("probability", found.probability)?;
+    fields.set_item("mahalanobis", found.mahalanobis)?;
+    fields.set_item("heading_difference", found.heading_difference)?;
     result(py, "LaneMatch", &fields)
 }
 

@@ -1,11 +1,12 @@
 //! Objects.
 
-use crate::batch::triples;
+use crate::batch::{fields, result, triples};
 use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::triple;
 use crate::road::Road;
 use mapd_client::ObjectId;
+use mapd_client::objects::ObjectPlacement;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -28,6 +29,34 @@ impl Object {
     fn number(&self) -> u64 {
         id(content(self.held.map()), self.object.row())
     }
+}
+
+/// A place of an object as Python has it.
+pub(crate) fn placement<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    place: &ObjectPlacement<'_>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let id = place.placement_id();
+    let (p, [heading, pitch, roll], mut corners) = (place.position(), place.angles(), Vec::new());
+    place.footprint(&mut corners);
+    let fields = fields!(
+        py,
+        object = Object::new(held, id.object),
+        copy = id.copy,
+        x = p.x,
+        y = p.y,
+        z = p.z,
+        heading = heading,
+        pitch = pitch,
+        roll = roll,
+        length = place.length(),
+        width = place.width(),
+        height = place.height(),
+        radius = place.radius(),
+        footprint = triples(py, corners.iter().flat_map(|p| [p.x, p.y, p.z]).collect())?,
+    );
+    result(py, "Placement", &fields)
 }
 
 #[pymethods]
@@ -105,6 +134,17 @@ impl Object {
         let mut corners = Vec::new();
         self.object()?.footprint(&mut corners);
         triples(py, corners.iter().flat_map(|p| [p.x, p.y, p.z]).collect())
+    }
+
+    /// Where it stands: itself, or each of its copies.
+    fn placements<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        self.object()?.placements().map(|one| placement(py, &self.held, &one)).collect()
+    }
+
+    /// Lanes that it is on or belongs to.
+    fn lanes<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let all = self.object()?.lanes();
+        all.filter_map(|one| crate::lane::object_lane(py, &self.held, &one).transpose()).collect()
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

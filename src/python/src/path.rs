@@ -297,7 +297,7 @@ impl Path {
         crate::along::surface(py, &path, [start, length, step], out)
     }
 
-    /// What it comes by, in ascending S: junctions, signals, lines, types of roads and lanes, bridges, tunnels, holes of the map.
+    /// What it comes by, in ascending S: junctions, signals, lines, types of roads and lanes, countries, access, bridges, tunnels, holes.
     fn facts<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         crate::along::facts(py, &self.held, &self.path().map_err(query)?)
     }
@@ -305,6 +305,20 @@ impl Path {
     /// The speed limits along it, in ascending S without gaps.
     fn speeds<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
         crate::along::speeds(py, &self.held, &self.path().map_err(query)?)
+    }
+
+    /// How long a vehicle takes from one S to another [m] at the speed limits.
+    #[pyo3(signature = (start = 0.0, end = None))]
+    fn travel_time<'py>(
+        &self,
+        py: Python<'py>,
+        start: f64,
+        end: Option<f64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let path = self.path().map_err(query)?;
+        let found = path.travel_time([start, end.unwrap_or_else(|| path.length())]);
+        let found = found.map_err(|error| raise("PathError", error.to_string()))?;
+        result(py, "PathTime", &fields!(py, time = found.time, unlimited = found.unlimited))
     }
 
     /// From which lanes its goal is reached along the same roads, and until where a change of lane may wait.
@@ -371,6 +385,10 @@ impl Path {
             result(py, "PathConflict", &fields)
         };
         found.iter().map(one).collect()
+    }
+
+    fn _repr_html_<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        this.py().import("mapd._pictures")?.call_method1("path_html", (this,))
     }
 
     fn __repr__(&self) -> PyResult<String> {

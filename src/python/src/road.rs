@@ -67,11 +67,12 @@ impl Road {
         Ok(self.road()?.junction().map(|junction| junction.id()))
     }
 
-    /// Lanes of all sections, by s and from left to right.
-    fn lanes(&self) -> PyResult<Vec<Lane>> {
+    /// Lanes of all sections, by s and from left to right; with `center` also lane 0 of each, which has no area.
+    #[pyo3(signature = (*, center = false))]
+    fn lanes(&self, center: bool) -> PyResult<Vec<Lane>> {
         let road = self.road()?;
         let lanes = road.sections().flat_map(|section| section.lanes());
-        let lanes = lanes.filter(|lane| lane.number() != 0);
+        let lanes = lanes.filter(|lane| center || lane.number() != 0);
         Ok(lanes.map(|lane| Lane::new(&self.held, lane.lane_id().row())).collect())
     }
 
@@ -177,6 +178,10 @@ impl Road {
 
     fn __hash__(&self) -> u64 {
         id(content(self.held.map()), self.row)
+    }
+
+    fn _repr_html_<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        this.py().import("mapd._pictures")?.call_method1("road_html", (this,))
     }
 
     fn __repr__(&self) -> PyResult<String> {

@@ -224,6 +224,15 @@ pub(crate) fn sequences<'py>(
     let (start, vehicle) = (place_of(map, start)?, vehicle_of(vehicle)?);
     let mut found = LaneSequences::default();
     map.lane_sequences_ahead(start, distance, vehicle, &mut found).map_err(query)?;
+    sequences_result(py, held, &found)
+}
+
+/// Sequences of lanes as Python has them.
+pub(crate) fn sequences_result<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    found: &LaneSequences,
+) -> PyResult<Bound<'py, PyAny>> {
     let lanes = |ids: &[mapd_client::LaneId]| {
         ids.iter().map(|id| Lane::new(held, id.row())).collect::<Vec<_>>()
     };

@@ -17,7 +17,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::sync::Arc;
 
-fn landmark<'py>(py: Python<'py>, held: &Arc<Held>, one: &Landmark) -> PyResult<Bound<'py, PyAny>> {
+pub(crate) fn landmark<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    one: &Landmark,
+) -> PyResult<Bound<'py, PyAny>> {
     let (signal, object, copy) = match one.source {
         LandmarkSource::Signal(signal) => (Some(Signal::new(held, signal)), None, None),
         LandmarkSource::Object(place) => (None, Some(Object::new(held, place.object)), place.copy),

@@ -1,10 +1,15 @@
 //! Signals.
 
+use crate::batch::{fields, result};
 use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::triple;
+use crate::lane::Lane;
+use crate::map::{Map, controller};
+use crate::object::Object;
 use crate::road::Road;
 use mapd_client::SignalId;
+use mapd_client::signals::SignalLink;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -30,6 +35,18 @@ impl Signal {
 
     fn number(&self) -> u64 {
         id(content(self.held.map()), self.signal.row())
+    }
+
+    fn link<'py>(&self, py: Python<'py>, one: &SignalLink<'_>) -> PyResult<Bound<'py, PyAny>> {
+        let fields = fields!(
+            py,
+            id = one.id,
+            kind = one.kind,
+            is_object = one.is_object,
+            signal = one.signal.map(|own| Self::new(&self.held, own.signal_id())),
+            object = one.object.map(|own| Object::new(&self.held, own.object_id())),
+        );
+        result(py, "SignalLink", &fields)
     }
 }
 
@@ -110,12 +127,38 @@ impl Signal {
         Ok((s, t))
     }
 
+    /// Objects and signals that belong to it, such as the pole that it hangs from.
+    fn links<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        self.signal()?.links().map(|one| self.link(py, &one)).collect()
+    }
+
+    /// Signals that it controls or depends on.
+    fn dependencies<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        self.signal()?.dependencies().map(|one| self.link(py, &one)).collect()
+    }
+
+    /// Lanes of junctions whose movements it governs, where it is a light.
+    fn movements(&self) -> PyResult<Vec<Lane>> {
+        let lanes = self.signal()?.movements();
+        Ok(lanes.map(|lane| Lane::new(&self.held, lane.lane_id().row())).collect())
+    }
+
+    /// Its controllers.
+    fn controllers<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        self.signal()?.controllers().map(|one| controller(py, &self.held, &one)).collect()
+    }
+
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
         other.cast::<Self>().is_ok_and(|other| other.get().number() == self.number())
     }
 
     fn __hash__(&self) -> u64 {
         self.number()
+    }
+
+    fn _repr_html_<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let map = Map::of(Arc::clone(&this.get().held));
+        this.py().import("mapd._pictures")?.call_method1("signal_html", (this, map))
     }
 
     fn __repr__(&self) -> PyResult<String> {

@@ -1,6 +1,6 @@
 //! A map under what is laid over it, at a moment.
 
-use crate::batch::{Column, answer, columns, fields, result, speed_rule};
+use crate::batch::{Column, answer, columns, fields, overtaking_rule, result, speed_rule};
 use crate::errors::{query, routing};
 use crate::held::{Held, content, id};
 use crate::input::{column, finite, lane_of_id, place_of, vehicle_of};
@@ -280,6 +280,25 @@ impl View {
             Ok(found)
         })?;
         columns(py, "SpeedsToday", found.columns(), out)
+    }
+
+    /// Whether a class of vehicles may overtake at a place: what signs forbid, and entries. What road marks forbid is with the lane graph's lane changes.
+    #[pyo3(signature = (place, *, vehicle = "passengerCar"))]
+    fn overtaking_rule_at<'py>(
+        &self,
+        py: Python<'py>,
+        place: &Bound<'py, PyAny>,
+        vehicle: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (place, vehicle) = (place_of(self.held.map(), place)?, vehicle_of(vehicle)?);
+        let today = self.view().overtaking_rule_at(place.lane, place.s, vehicle).map_err(query)?;
+        let fields = fields!(
+            py,
+            is_forbidden = today.is_forbidden,
+            map = overtaking_rule(py, &self.held, &today.map)?,
+            restriction = self.some(py, today.restriction.as_ref())?,
+        );
+        result(py, "OvertakingToday", &fields)
     }
 
     /// The speed limit at S of a path [m].

@@ -106,6 +106,23 @@ def town() -> mapd.Map:
     return mapd.open(MAPS / "town.xodr")
 
 
+LIGHTS = """<signals>
+<signal id="5" name="light" s="20" t="-6" zOffset="3" dynamic="yes" orientation="+" type="1000001" subtype="-1" country="OpenDRIVE">
+<dependency id="6" type="with"/><reference elementType="signal" elementId="6" type="pole"/></signal>
+<signal id="6" name="sign" s="30" t="-6" zOffset="2" dynamic="no" orientation="+" type="205" subtype="-1" country="DE"/>
+</signals></road>"""
+CONTROLLER = '<controller id="c" name="lights" sequence="2"><control signalId="5" type="0"/></controller></OpenDRIVE>'
+
+
+@pytest.fixture(scope="session")
+def lights(tmp_path_factory: pytest.TempPathFactory) -> mapd.Map:
+    """A road with a light that names a sign and has a controller, and user data."""
+    text = (MAPS / "one_road.xodr").read_text().replace("</road>", LIGHTS, 1)
+    path = tmp_path_factory.mktemp("lights") / "lights.xodr"
+    path.write_text(text.replace("</OpenDRIVE>", '<userData code="says" value="this"/>' + CONTROLLER))
+    return mapd.open(path)
+
+
 @pytest.fixture(scope="session")
 def other() -> mapd.Map:
     return mapd.open(MAPS / "objects.xodr")

@@ -5,7 +5,9 @@ from __future__ import annotations
 import gc
 import pickle
 import re
+from html import escape
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -164,8 +166,56 @@ def test_lines_become_a_geodataframe(town: mapd.Map) -> None:
     assert np.array_equal(np.array(frame.geometry.iloc[3].coords), lines[3]) and frame.lane[3] == lines.lane[3]
 
 
-def test_notebooks_get_pictures(town: mapd.Map) -> None:
-    for one, says in ((town, "56 roads"), (town.lanes()[0], town.lanes()[0].key)):
+def test_signals_name_what_belongs_to_them(lights: mapd.Map) -> None:
+    light, sign = lights.signals()
+    (controller,) = lights.controllers()
+    assert light.controllers() == [controller] and sign.controllers() == [] and light.movements() == []
+    assert controller.id == "c" and controller.sequence == 2 and controller.signals == (light,)
+    assert [(one.id, one.kind, one.signal, one.is_object) for one in light.dependencies()] == [("6", "with", sign, False)]
+    assert [(one.id, one.kind, one.signal, one.object) for one in light.links()] == [("6", "pole", sign, None)]
+    assert {(one.name, one.value, one.owner) for one in lights.annotations()} >= {("says", "this", None)}
+    assert lights.quarantined() == [] and lights.left_out("road", "nowhere") is None
+    with pytest.raises(ValueError, match="kind"):
+        lights.left_out("nonsense", "1")
+
+
+def test_steps_of_lanes_are_those_of_a_route(town: mapd.Map) -> None:
+    lane = next(lane for lane in town.lanes() if lane.successors())
+    after = lane.successors()[0]
+    start, goal = lane.s_range[0] if lane.is_forward else lane.s_range[1], sum(after.s_range) / 2
+    steps = town.steps_of_lanes([lane, after], start, goal)
+    assert [step.lane for step in steps] == [lane, after] and (steps[0].s_from, steps[-1].s_to) == (start, goal)
+    assert town.next_lane_change(steps, 0, (lane, start)) is None and town.signals_along(steps) == []
+    assert [after, lane] in [one[:2] for one in town.lane_sequences_behind((after, goal), after.length + 1.0).sequences]
+    with pytest.raises(mapd.PathError, match="1"):
+        town.steps_of_lanes([after, lane], goal, start)
+    with pytest.raises(mapd.NotTrustedError):
+        mapd.open(MAPS / "town.xodr", key=MAPS / "town.xodr")
+
+
+def test_the_lane_graph_is_what_lanes_say(town: mapd.Map) -> None:
+    graph = town.lane_graph()
+    for lane in town.lanes():
+        s = sum(lane.s_range) / 2
+        node = lane.node_at(s)
+        if node is None:
+            continue
+        assert graph.nodes.lane[node] == lane.id and graph.nodes.forward[node] == lane.is_forward
+        on = graph.nodes.lane[graph.edges.end[graph.edges.start == node]]
+        assert set(on.tolist()) <= {lane.id, *(one.id for one in lane.successors())}
+        for conflict in lane.conflicts():
+            assert conflict.other is not None and lane in [one.other for one in conflict.other.conflicts()]
+
+
+def test_notebooks_get_pictures(town: mapd.Map, lights: mapd.Map) -> None:
+    lane = next(lane for lane in town.lanes() if lane.successors())
+    route = town.route((lane, lane.s_range[0]), (lane.successors()[0], 1.0))
+    assert route is not None
+    path = town.path(route)
+    pictures: list[tuple[Any, str]] = [(town, "56 roads"), (lane, lane.key)]
+    for own in (lane.road, town.junctions()[0], lights.signals()[0], path, route):
+        pictures.append((own, escape(repr(own))))
+    for one, says in pictures:
         html = one._repr_html_()
         assert says in html and html.count("<polyline") >= 3 and html.endswith("</svg>")
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from test_answers import NOTHING, Asked, bits, clamped, lane, lanes, number, text
+from test_answers import CLASSES, NOTHING, Asked, bits, clamped, columns_of, lane, lanes, number, text
 from test_answers import asked as asked  # a fixture
-from test_ways import TURNS, line
+from test_ways import TURNS
 
 import mapd
 
@@ -14,16 +14,10 @@ KINDS = {name: code for code, name in mapd.MARK_KINDS.items()}
 COLORS = {name: code for code, name in mapd.MARK_COLORS.items()}
 
 
-class Words:
-    """Words of Python and codes of answers: one of each for each."""
-
-    def __init__(self) -> None:
-        self.codes: dict[str, int] = {}
-
-    def code(self, word: str, code: int) -> int:
-        """What the word stood for before, else this code, which no other word stands for."""
-        assert word in self.codes or code not in self.codes.values()
-        return self.codes.setdefault(word, code)
+def code(vocabulary: str, word: str) -> int:
+    """The code that a word stands for."""
+    (found,) = (code for code, own in mapd.WORDS[vocabulary].items() if own == word)
+    return found
 
 
 def some(numbers: Iterator[int], count: int) -> list[int]:
@@ -46,10 +40,8 @@ def test_road(asked: Asked) -> None:
         s, t = question.f(1, 2)
         answer = [text(road.id), *map(bits, (road.elevation_at(s), road.superelevation_at(s), road.lane_offset_at(s)))]
         answer.append(lane(road.lane_at(s, t)))
-        # Lane 0 is in the answer, and not among the lanes of Python.
-        first = [one.id for one in road.lanes() if one.section == 0]
-        count, *ids = question.answer[5:]
-        assert answer == question.answer[:5] and count == len(ids) and set(first) < set(ids)
+        assert answer + lanes([one for one in road.lanes(center=True) if one.section == 0]) == question.answer
+        assert all(one.number != 0 for one in road.lanes())
 
 
 def test_surface(asked: Asked) -> None:
@@ -66,9 +58,9 @@ def test_edges(asked: Asked) -> None:
         bounds = own.bounds_at(s)
         assert bounds is not None
         answer = [bits(edge) for edge in own.edges_at(s)]
-        # Single waypoints have no form in Python: those of `waypoints` are asked instead.
-        waypoint = question.answer[2:8]
-        answer += [*waypoint, *(bits(part) for side in bounds for part in side), bits(own.length_between(s, own.s_range[1]))]
+        at = own.waypoint_at(s)
+        answer += map(bits, (at.s, at.x, at.y, at.z, at.heading, at.width))
+        answer += [*(bits(part) for side in bounds for part in side), bits(own.length_between(s, own.s_range[1]))]
         answer.append(number(own.speed_rule_at(s).signal))
         found = own.road_mark_at(s)
         answer += [0] if found is None else [1, *mark(found), bits(found.width)]
@@ -76,7 +68,6 @@ def test_edges(asked: Asked) -> None:
 
 
 def test_movement(asked: Asked) -> None:
-    relations, reasons = Words(), Words()
     for question in asked.kinds["movement"]:
         own = asked.map.lane(question.numbers[0])
         numbers = iter(question.answer)
@@ -88,11 +79,12 @@ def test_movement(asked: Asked) -> None:
         for one in ways:
             other, relation, reason = some(numbers, 3)
             assert lane(one.other) == other
-            assert relations.code(one.relation, relation) == relation and reasons.code(one.reason, reason) == reason
+            assert code("relation", one.relation) == relation and code("relation_reason", one.reason) == reason
         lights = own.movement_lights()
         assert len(lights) == next(numbers)
-        # The lane before each light is in the answer only.
-        assert [number(light) for light in lights] == some(numbers, 2 * len(lights))[::2]
+        assert lights == [one.signal for one in own.movement_lights_on()]
+        on = [part for one in own.movement_lights_on() for part in (number(one.signal), one.lane.id)]
+        assert on == list(numbers)
         given_way = [one.other for one in ways if one.relation == "yields" and one.basis == "written"]
         assert {one.id for one in own.yields_to()} <= {one.id for one in given_way if one is not None}
 
@@ -115,50 +107,122 @@ def test_region(asked: Asked) -> None:
         assert [len(signals), *map(number, signals)] == some(numbers, 1 + len(signals))
         objects = asked.map.objects_in(box)
         assert len(objects) == next(numbers)
-        # Which of its places an object is at is in the answer only.
-        assert [number(one) for one in objects] == some(numbers, 2 * len(objects))[::2]
+        places = asked.map.placements_in(box)
+        assert [place.object for place in places] == objects
+        for place in places:
+            assert [number(place.object), NOTHING if place.copy is None else place.copy] == some(numbers, 2)
+        answer: list[int] = []
+        landmarks = asked.map.landmarks_in(box)
+        answer.append(len(landmarks))
+        for one in landmarks:
+            answer += map(bits, (one.x, one.y, one.z, one.distance))
+        bounds = asked.map.boundary_segments(box)
+        answer.append(len(bounds))
+        for row in range(len(bounds)):
+            answer += columns_of(bounds, row)
+        marks = asked.map.road_mark_segments(box)
+        answer.append(len(marks))
+        for row in range(len(marks)):
+            answer += columns_of(marks, row, ["lane", "s_from", "width", "kind", "color"])
+        assert answer == list(numbers)
 
 
 def test_details(asked: Asked) -> None:
     for question in asked.kinds["details"]:
         own, (s,) = asked.map.lane(question.numbers[0]), question.f(1)
-        # A pose of the reference line, a time and bans of overtaking have no form here.
-        numbers = iter(question.answer[11:])
-        assert [bits(height) for height in own.height_at(s)] == some(numbers, 2)
-        assert friction(own.material_at(s)) == some(numbers, 2)
+        pose = own.pose_of_reference_line(s, 0.5)._asdict()
+        end = clamped(pose.pop("clamped"))
+        rule = own.overtaking_rule_at(s)
+        answer = [*map(bits, pose.values()), end, bits(own.time_between(s, own.s_range[1]))]
+        answer += [number(rule.all), number(rule.trucks), *map(bits, own.height_at(s)), *friction(own.material_at(s))]
         marks = own.road_marks()
-        assert len(marks) == next(numbers)
+        answer.append(len(marks))
         for one in marks:
-            assert [*map(bits, (one.s, one.s_end, one.width)), *mark(one)] == some(numbers, 5)
-        objects = own.objects()
-        assert len(objects) == next(numbers)
-        assert [number(one) for one in objects] == some(numbers, 4 * len(objects))[::4]
+            answer += [*map(bits, (one.s, one.s_end, one.width)), *mark(one)]
+        objects = own.objects_on()
+        assert [thing.object for thing in objects] == own.objects()
+        answer.append(len(objects))
+        for thing in objects:
+            answer += [number(thing.object), *map(bits, (thing.s_from, thing.s_to, thing.distance))]
         stop = own.movement_stop()
         for all in (own.lines_to_stop_at(), own.crossings(), own.movement_crossings(), [] if stop is None else [stop]):
-            assert len(all) == next(numbers)
+            answer.append(len(all))
             for at in all:
-                assert line(at)[2:4] == some(numbers, 3)[:2]
+                answer += [at.lane.id, bits(at.s), CLASSES[at.meaning]]
+        node = own.node_at(s)
+        content = own.id & ~NOTHING
+        before = [] if node is None else asked.edges.start[asked.edges.end == node].tolist()
+        answer += [NOTHING if node is None else content | node, len(before)]
+        # The order of what comes before a node is the archive's.
+        assert answer == question.answer[: len(answer)]
+        assert sorted(content | one for one in before) == sorted(question.answer[len(answer) :])
+
+
+def link(one: mapd.SignalLink) -> list[int]:
+    return [text(one.id), text(one.kind), number(one.signal), number(one.object), int(one.is_object)]
+
+
+def test_sign(asked: Asked) -> None:
+    signals = {number(one): one for one in asked.map.signals()}
+    for question in asked.kinds["sign"]:
+        own = signals[question.numbers[0]]
+        answer = [len(signals), text(asked.map.signal(own.id).id)]
+        for links in (own.dependencies(), own.links()):
+            answer += [len(links), *(part for one in links for part in link(one))]
+        controllers = own.controllers()
+        answer += [*lanes(own.movements()), len(controllers), *(one.number for one in controllers)]
+        assert answer == question.answer
+
+
+def test_thing(asked: Asked) -> None:
+    objects = {number(one): one for one in asked.map.objects()}
+    for question in asked.kinds["thing"]:
+        own = objects[question.numbers[0]]
+        answer = [len(objects), number(asked.map.object(own.id)), len(own.lanes())]
+        for at in own.lanes():
+            answer += [at.lane.id, bits(at.s_from), bits(at.distance)]
+        answer.append(len(own.placements()))
+        for place in own.placements():
+            answer += map(bits, (place.x, place.y, place.z, place.heading, place.length, place.height))
+            answer += [len(place.footprint), *map(bits, place.footprint.ravel())]
+        assert answer == question.answer
 
 
 def test_earth(asked: Asked) -> None:
     for question in asked.kinds["earth"]:
         latitude, longitude, altitude = question.f(0, 1, 2)
-        assert [bits(part) for part in asked.map.from_geodetic((latitude, longitude, altitude))] == question.answer
+        point = asked.map.from_geodetic((latitude, longitude, altitude))
+        assert [bits(part) for part in point] == question.answer
+        assert asked.map.nearest_lane_geodetic((latitude, longitude, altitude)) == asked.map.nearest_lane(point)
 
 
 def test_whole(asked: Asked) -> None:
-    contacts = Words()
     (question,) = asked.kinds["whole"]
-    numbers = iter(question.answer[1:])
-    junctions = asked.map.junctions()
-    assert len(junctions) == next(numbers)
+    answer = [len(asked.nodes)]
+    junctions, controllers = asked.map.junctions(), asked.map.controllers()
+    answer.append(len(junctions))
     for own in junctions:
-        id = hash(own) & 0xFFFFFFFFFFFFFFFF
-        assert [id, text(own.id), id] == some(numbers, 3)
         assert asked.map.junction(own.id) == own
-        connections = own.connections()
-        assert len(connections) == next(numbers)
-        for one in connections:
-            name, contact = some(numbers, 2)
-            assert text(one.id) == name and contacts.code(one.contact_point, contact) == contact
-        assert len(own.controllers()) >= len(some(numbers, next(numbers)))
+        answer += [number(own), text(own.id), number(own), len(own.connections())]
+        for one in own.connections():
+            answer += [text(one.id), code("contact_point", one.contact_point)]
+        numbers = [part.number for id in own.controllers() for part in controllers if part.id == id]
+        answer += [len(numbers), *numbers]
+    answer.append(len(controllers))
+    for controller in controllers:
+        answer += [text(controller.id), text(controller.name)]
+    groups = asked.map.junction_groups()
+    answer.append(len(groups))
+    for group in groups:
+        answer += [text(group.id), code("junction_group_kind", group.kind), len(group.junctions), *lanes(list(group.ring))]
+    structures = asked.map.structures()
+    answer.append(len(structures))
+    for structure in structures:
+        answer += [text(structure.id), bits(structure.s_from), bits(structure.s_to), code("structure_kind", structure.kind)]
+    references = asked.map.object_references()
+    answer.append(len(references))
+    for reference in references:
+        answer += [text(reference.id), bits(reference.s), bits(reference.t)]
+    bounds = asked.map.geodetic_bounds
+    answer += [len(asked.map.quarantined()), int(bounds is not None), *map(bits, bounds or ())]
+    assert answer == question.answer

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import PATIENCE, Daemon, program
+from conftest import MAPS, PATIENCE, Daemon, program
 
 import mapd
 
@@ -34,6 +34,37 @@ def test_a_view_without_an_overlay_is_the_map(town: mapd.Map) -> None:
     assert np.array_equal(out.max, town.speed_rule_at(lanes, s).max, equal_nan=True)
     start, goal = (town.lanes()[0], 5.0), ("12:0:-1", 20.0)
     assert repr(view.route(start, goal)) == repr(town.route(start, goal))
+
+
+def test_signs_forbid_overtaking(tmp_path: Path) -> None:
+    text = (MAPS / "town.xodr").read_text()
+    signs = (
+        f'<signal s="{s}" t="-5" id="{name}" name="" dynamic="no" orientation="+" zOffset="2" country="DE" type="{kind}" subtype="-1"/>'
+        for name, s, kind in (("cars", 20, "276"), ("trucks", 40, "277"))
+    )
+    end = text.index("</road>")
+    file = tmp_path / "signs.xodr"
+    file.write_text(f"{text[:end]}<signals>{''.join(signs)}</signals>{text[end:]}")
+    map = mapd.compile(file).map
+    assert map is not None
+    lane, view = map.lane("1:0:-1"), map.view()
+    for s, vehicle, forbidden, by in (
+        (10.0, "passengerCar", False, (None, None)),
+        (30.0, "passengerCar", True, ("cars", None)),
+        (30.0, "bicycle", False, ("cars", None)),
+        (50.0, "truck", True, ("cars", "trucks")),
+    ):
+        today = view.overtaking_rule_at((lane, s), vehicle=vehicle)
+        rule = lane.overtaking_rule_at(s)
+        for own in (today.map, rule):
+            assert tuple(sign and sign.id for sign in own) == by
+        assert (today.is_forbidden, today.restriction) == (forbidden, None)
+    with pytest.raises(mapd.NotFiniteError):
+        lane.overtaking_rule_at(float("nan"))
+    with pytest.raises(mapd.NotFiniteError):
+        view.overtaking_rule_at((lane, float("inf")))
+    with pytest.raises(ValueError, match="passengerCar"):
+        view.overtaking_rule_at((lane, 0.0), vehicle="nonsense")
 
 
 def test_moments(town: mapd.Map) -> None:
@@ -69,7 +100,10 @@ def test_the_daemons_overlay_is_seen(daemon: Daemon, tmp_path: Path) -> None:
     client = daemon.client()
     map = client.map()
     assert not client.wait_change(0.0)
-    entries = [{"id": "works", "kind": "closed", "lanes": [{"road": "1", "lane": -1, "s": [10, 30]}]}]
+    entries = [
+        {"id": "works", "kind": "closed", "lanes": [{"road": "1", "lane": -1, "s": [10, 30]}]},
+        {"id": "narrow", "kind": "no-overtaking", "vehicles": ["truck"], "lanes": [{"road": "1", "lane": 1}]},
+    ]
     file = tmp_path / "works.json"
     file.write_text(json.dumps({"entries": entries}))
     command = [str(program()), "overlay", "town", "apply", str(file)]
@@ -82,9 +116,12 @@ def test_the_daemons_overlay_is_seen(daemon: Daemon, tmp_path: Path) -> None:
     assert (permission.restriction.entry.id, permission.restriction.s_from, permission.restriction.s_to) == ("works", 10.0, 30.0)
     assert under.view().allows(("1:0:-1", 40.0)).is_allowed and map.view().allows(("1:0:-1", 20.0)).is_allowed
     view = under.view()
+    today = view.overtaking_rule_at(("1:0:1", 20.0), vehicle="truck")
+    assert today.is_forbidden and today.map == (None, None) and today.restriction is not None
+    assert today.restriction.entry.id == "narrow" and not view.overtaking_rule_at(("1:0:1", 20.0)).is_forbidden
     daemon.kill()
     del client, under, map
-    assert [entry.id for entry in view.entries()] == ["works"] and "1 of 1" in repr(view)
+    assert [entry.id for entry in view.entries()] == ["works", "narrow"] and "2 of 2" in repr(view)
 
 
 def test_what_is_proposed_is_decided(daemon: Daemon) -> None:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from test_answers import ENTER, NOTHING, Asked, bits, column_place, lane, number, option, route_of, text, without_reference_line
+from test_answers import ENTER, NOTHING, Asked, bits, column_place, lane, node_of_piece, number, option, place_of, route_of, text
 from test_answers import asked as asked  # a fixture
 
 import mapd
 
 TURNS = {"left": 1, "straight": 2, "right": 4, "back": 8}
-FACTS = ["junction", "signal", "line", "road_type", "lane_type", "structure", "hole"]
+FACTS = ["junction", "signal", "line", "road_type", "lane_type", "structure", "hole", "country", "access"]
 CHANGE = 15.0
 WHEELS = np.array([[2.0, 0.8], [2.0, -0.8], [-1.0, 0.8], [-1.0, -0.8]])
 
@@ -39,6 +39,8 @@ def fact(one: mapd.PathFact) -> list[int]:
         return [*out, *line(one.line), *map(bits, one.left + one.right)]
     if one.kind == "hole":
         return [*out, one.number or 0]
+    if one.kind == "access":
+        return [*out, sum(map(text, one.vehicles or ())) % 2**64]
     out.append(text(one.name or ""))
     return [*out, one.number or 0] if one.kind == "structure" else out
 
@@ -53,6 +55,7 @@ def test_along(asked: Asked) -> None:
         answer = [len(facts), *(part for one in facts for part in fact(one)), len(speeds)]
         for speed in speeds:
             answer += [bits(speed.start), bits(speed.end), *option(speed.rule.max), number(speed.rule.signal)]
+        answer += map(bits, path.travel_time(start, end))
         answer.append(len(segments))
         for row in range(len(segments)):
             answer += [bits(segments.start[row]), bits(segments.end[row]), int(segments.lane[row])]
@@ -114,10 +117,8 @@ def test_comes(asked: Asked) -> None:
     for question in asked.kinds["comes"]:
         s, limit = question.f(1, 2)
         found = asked.map.reachable_to((question.numbers[0], s), limit)
-        # The answer has both ends of the node, the call what of it is within the limit.
-        here = [[int(found.lane[row]), int(found.forward[row]), bits(found.cost[row])] for row in range(len(found))]
-        rest = question.answer[1:]
-        assert here == [[*rest[k : k + 2], rest[k + 4]] for k in range(0, len(rest), 5)]
+        pieces = [number for row in range(len(found)) for number in node_of_piece(asked, found, row)]
+        assert [len(found), *pieces] == question.answer
 
 
 def pieces(found: mapd.Reached) -> list[int]:
@@ -213,11 +214,10 @@ def test_tracker(asked: Asked) -> None:
             answer.append(mapd.TRACKED.index(found.state))
             want.append(state := next(rest))
             if found.found is not None:
-                place = [bits(getattr(found.found, name)) for name in ("s", "t", "offset", "distance", "z", "heading")]
-                answer += [int(found.found.forward), bits(found.found.probability), found.found.lane.id, *place]
+                answer += [int(found.found.forward), bits(found.found.probability), found.found.lane.id, *place_of(found.found._asdict())]
             if state == 0:
                 want += [next(rest), next(rest)]
-                want += without_reference_line([next(rest) for _ in range(10)])[:-1]
+                want += [next(rest) for _ in range(10)]
             known = tracker.hypotheses()
             answer += [bits(known.none), len(known.lanes), bits(tracker.probability_in([own]))]
             want += [next(rest) for _ in range(3)]

@@ -25,7 +25,9 @@ pub struct LaneNode<'a> {
 #[derive(Clone, Copy)]
 pub(crate) struct NodePiece<'a> {
     pub(crate) row: &'a ArchivedPieceRow,
+    /// From its begin to its end at the travel speed of today \[s\].
     pub(crate) time: f64,
+    /// Classes of vehicles that may use it, a bit each.
     pub(crate) access: u16,
 }
 
@@ -110,7 +112,7 @@ impl<'a> LaneNode<'a> {
     }
 
     #[inline]
-    fn access(&self) -> u16 {
+    pub(crate) fn access(&self) -> u16 {
         match &self.piece {
             None => self.row.access(),
             Some(piece) => piece.access,

@@ -68,5 +68,6 @@ pub mod compiling {
     pub use crate::by_row::{ByRow, position_along};
     pub use crate::cross_section::SectionCutter;
     pub use crate::index::{SegmentHit, nearest_segment};
+    pub use crate::rules::entry_sign::EntrySign;
     pub use crate::rules::speed_signs::{SpeedSigns, Zone, is_of_speed};
 }

@@ -11,6 +11,17 @@ pub(crate) struct EdgeSlopes {
     pub(crate) outer: Slope,
 }
 
+/// A width of at most this is none `[m]`.
+const NO_WIDTH: f64 = 1e-9;
+
+/// What a width comes to that is not positive: none. Where it begins or ends at 0 it has the growth of the stretch that holds.
+#[cold]
+fn closed(width: Slope, at: At) -> Slope {
+    let opens = if at.hold < at.s { width.derivative < 0.0 } else { width.derivative > 0.0 };
+    let derivative = if opens && width.value > -NO_WIDTH { width.derivative } else { 0.0 };
+    Slope { value: 0.0, derivative }
+}
+
 impl<'a> Lane<'a> {
     /// Tells of the section's lanes from the one beside lane 0 outwards to this one.
     #[inline(always)]
@@ -53,11 +64,10 @@ impl<'a> Lane<'a> {
             edge = if lane.flags() & lane_flags::BORDER != 0 {
                 record
             } else {
-                let (width, growth) =
-                    if record.value > 0.0 { (record.value, record.derivative) } else { (0.0, 0.0) };
+                let own = if record.value > 0.0 { record } else { closed(record, at) };
                 Slope {
-                    value: edge.value + sign * width,
-                    derivative: edge.derivative + sign * growth,
+                    value: edge.value + sign * own.value,
+                    derivative: edge.derivative + sign * own.derivative,
                 }
             };
             edges.outer = edge;

@@ -54,6 +54,8 @@ pub struct RoadTypeRecord {
     pub speed_kind: SpeedKind,
     /// Speed limit `[m/s]` if `speed_kind` is `Value`, else 0.
     pub speed: f64,
+    /// The country whose rules hold, where the file gives one: a number for [`Map::country`].
+    pub country: Option<u32>,
 }
 
 /// A plan-view geometry with its place on the road.
@@ -141,11 +143,13 @@ impl<'a> Road<'a> {
 
     /// `road/type` records in ascending s.
     pub fn types(&self) -> impl ExactSizeIterator<Item = RoadTypeRecord> + use<'a> {
-        self.row.types().of(self.map.tables().road_types).iter().map(|r| RoadTypeRecord {
+        let map = self.map;
+        self.row.types().of(map.tables().road_types).iter().map(move |r| RoadTypeRecord {
             s: r.s(),
             kind: RoadType::from_code(r.kind()),
             speed_kind: SpeedKind::from_code(r.speed_kind()),
             speed: r.speed(),
+            country: Some(r.country()).filter(|number| map.country(*number).is_some()),
         })
     }
 

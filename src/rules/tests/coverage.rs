@@ -119,8 +119,12 @@ fn no_finding_is_written_outside_the_catalog() {
     let own = Path::new(env!("CARGO_MANIFEST_DIR"));
     let reader = own.join("../xodr/src/rule_ids.rs");
     let (mut strays, mut of_reader, mut files) = (Vec::new(), Vec::new(), 0);
-    for krate in ["xodr", "rules", "compiler", "mapd"] {
-        sources(&own.join("..").join(krate).join("src"), &mut |path, text| {
+    for krate in std::fs::read_dir(own.join("..")).expect("the crates' folder") {
+        let folder = krate.expect("it can be read").path().join("src");
+        if !folder.is_dir() {
+            continue;
+        }
+        sources(&folder, &mut |path, text| {
             files += 1;
             let is_catalog = path.starts_with(own.join("../rules/src/catalog"))
                 || path.ends_with("rules/src/structural.rs");

@@ -5,7 +5,7 @@ const ASK = 5000;
 class Live {
   constructor(names, code) {
     Object.assign(this, { names, code, number: 0 });
-    this.number = this.named();
+    this.number = this.wanted = this.named();
   }
 
   // The number of the map that the address names; that of the map that is shown if it names none.
@@ -53,7 +53,9 @@ class Live {
       look();
       this.follow(number);
     } catch (error) {
+      if (number !== this.wanted) return;
       this.viewer.note(error.message);
+      this.wanted = this.number;
     }
     $("maps").value = this.number;
   }

@@ -293,7 +293,8 @@ class Viewer {
 
   goToAddress() {
     const { live } = this, { hash } = location;
-    if (live && live.named() !== live.number) return live.choose(live.named(), () => this.readAddress(hash) || this.fit());
+    // What is being loaded counts, not what it will take the place of.
+    if (live && live.named() !== live.wanted) return live.choose(live.named(), () => this.readAddress(hash) || this.fit());
     this.readAddress();
   }
 

@@ -1,22 +1,49 @@
 //! Writes archives of this release's layout, with what they answer, to `tests/data/archives`, where every later build opens and asks them:
-//! `cargo run -p mapd-tests --bin golden_archives`, once for each release.
+//! `cargo run -p mapd-tests --bin golden_archives`, once for each release. What is there stays as it is.
 
 use mapd_client::Snapshot;
-use mapd_compiler::{CompileOptions, compile};
-use mapd_tests::{carried, crossroads, releases};
+use mapd_tests::{golden_maps, overlays, releases};
 use std::error::Error;
 use std::fs;
+use std::time::UNIX_EPOCH;
+
+/// Something of each kind, on the map `furnished`; one entry holds on another day.
+const ENTRIES: &str = r#"{"entries":[
+ {"id":"closed","kind":"closed","lanes":[{"road":"0","s":[20,40.5],"lane":1}],"source":"works","text":"Road works","confidence":0.75,"until":"2026-06-01T00:00:00Z"},
+ {"id":"only","kind":"only","vehicles":["bus","truck"],"lanes":[{"road":"12"}]},
+ {"id":"open","kind":"open","vehicles":["bicycle"],"lanes":[{"key":"1:0:1"}]},
+ {"id":"slow","kind":"speed","value":5.5,"lanes":[{"road":"1","s":[10,90]}],"weekly":[{"days":["mon","tue"],"from":"06:30","until":"15:00"}]},
+ {"id":"fast","kind":"speed","value":30,"lanes":[{"road":"2"}]},
+ {"id":"overtaking","kind":"no-overtaking","lanes":[{"road":"3"}]},
+ {"id":"wet","kind":"wet","lanes":[{"road":"01"}]},
+ {"id":"signal","kind":"signal-off","signals":["L0","V1"]},
+ {"id":"sunday","kind":"closed","lanes":[{"road":"3"}],"weekly":[{"days":["sun"],"from":"00:00","until":"12:00"}]},
+ {"id":"warning","kind":"warning","lanes":[{"road":"21"}],"text":"Geese"}]}"#;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let objects = fs::read_to_string(carried("objects.xodr"))?;
-    for (name, text) in [("crossing", crossroads::furnished()), ("objects", objects)] {
-        let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {})?;
-        let rows = compiled.rows.ok_or("the map is rejected")?;
-        let bytes = mapd_archive::encode(&rows, &compiled.provenance)?;
-        let file = releases::golden().join(format!("{}-{name}.mapd", env!("CARGO_PKG_VERSION")));
+    for golden in golden_maps::all() {
+        let file =
+            releases::golden().join(format!("{}-{}.mapd", env!("CARGO_PKG_VERSION"), golden.name));
+        if file.exists() {
+            continue;
+        }
+        let bytes = golden.compile()?;
         fs::write(&file, &bytes)?;
         let snapshot = Snapshot::from_bytes(bytes)?;
         fs::write(file.with_extension("txt"), releases::answers(snapshot.map())?)?;
+    }
+    let name = format!("{}-furnished", env!("CARGO_PKG_VERSION"));
+    let file = releases::golden().join(format!("{name}.overlay"));
+    if !file.exists() {
+        let map = Snapshot::open(releases::golden().join(format!("{name}.mapd")))?;
+        let (bytes, resolved) = overlays::over(map.map(), ENTRIES, true);
+        if let Some(unplaced) = resolved.unplaced.first() {
+            return Err(format!("{unplaced:?}").into());
+        }
+        fs::write(&file, &bytes)?;
+        let snapshot = map.with_overlay(bytes)?;
+        let answers = releases::answers_today(snapshot.view(UNIX_EPOCH + releases::MOMENT))?;
+        fs::write(releases::golden().join(format!("{name}.overlay.txt")), answers)?;
     }
     Ok(())
 }

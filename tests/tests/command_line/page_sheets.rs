@@ -61,3 +61,22 @@ fn a_lane_says_everything_that_is_known_of_it() {
     let pieces = [(false, Some("s 0.00 … 25.00 m")), (true, Some("s 25.00 … 100.00 m"))];
     assert_eq!(trucks.collect::<Vec<_>>(), pieces);
 }
+
+/// Where the road's type brings another limit, no record or sign of the lane says so.
+#[test]
+fn a_limit_changes_with_the_type_of_the_road() {
+    let types = r#"<type s="0" type="town"><speed max="50" unit="km/h"/></type><type s="40" type="rural"><speed max="100" unit="km/h"/></type>"#;
+    let text = document(&PLAIN, "").replacen("<planView>", &format!("{types}<planView>"), 1);
+    let snapshot = open(&text);
+    let map = snapshot.map();
+    let row = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("the lane").lane_id().row();
+    let link = Link { kind: Kind::Lane, row };
+    let sheet = Sheet::of(snapshot.view(UNIX_EPOCH), link).expect("a sheet");
+    let limits = sheet.facts.iter().find(|fact| fact.name == "speed limit").expect("a fact");
+    let said: Vec<&str> = limits.values.iter().map(|words| words.text.as_str()).collect();
+    let expected = [
+        "50 km/h (13.89 m/s), written, s 0.00 … 40.00 m",
+        "100 km/h (27.78 m/s), written, s 40.00 … 100.00 m",
+    ];
+    assert_eq!(said, expected);
+}

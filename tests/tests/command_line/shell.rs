@@ -2,6 +2,8 @@
 
 use mapd_tests::command::run;
 use mapd_tests::workspace;
+use serde_json::Value;
+use std::path::Path;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
@@ -77,15 +79,44 @@ fn inspect_shows_tables_where_they_are_asked_for() {
     assert!(!with_tables.contains("\nlane_rules "), "no empty tables: {with_tables}");
 }
 
+/// Writes a town with an attribute that no version knows, on the first roads.
+fn odd_town(folder: &Path, count: usize) -> String {
+    let path = folder.join("map.xodr");
+    let town = std::fs::read_to_string(workspace().join("examples/maps/town.xodr")).expect("read");
+    std::fs::write(&path, town.replacen("<road ", "<road odd=\"1\" ", count)).expect("written");
+    path.display().to_string()
+}
+
+/// `inspect` counts what `check` finds; an archive keeps no findings.
+#[test]
+fn inspect_counts_findings() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let map = odd_town(folder.path(), 10);
+    let json = |args: &[&str]| -> Value { serde_json::from_str(&text(args)).expect("JSON") };
+    let checked = &json(&["check", &map, "--json"]);
+    let found = &json(&["inspect", &map, "--json"])["findings"];
+    for count in ["errors", "warnings", "information"] {
+        assert_eq!(found[count], checked["counts"][count], "{count}: {found}");
+    }
+    let all: u64 = checked["findings"].as_array().expect("findings").len() as u64;
+    let rules = found["by_rule"].as_array().expect("rules");
+    assert_eq!(rules.iter().filter_map(|rule| rule["count"].as_u64()).sum::<u64>(), all);
+    assert_eq!((&rules[0]["severity"], &rules[0]["count"]), (&"warning".into(), &10.into()));
+    let page = text(&["inspect", &map]);
+    let rule = rules[0]["rule"].as_str().expect("a rule");
+    assert!(page.contains("findings      0 errors, 10 warnings, 8 of information; "), "{page}");
+    assert!(page.contains(&format!("\n  warning       10: {rule}\n")), "{page}");
+    let archive = folder.path().join("m.mapd").display().to_string();
+    run(MAPD, &["compile", &map, "-o", &archive], "");
+    assert_eq!(json(&["inspect", &archive, "--json"])["findings"], Value::Null);
+    assert!(text(&["inspect", &archive]).contains("\nfindings      not in an archive: "));
+}
+
 #[test]
 fn findings_of_one_rule_fold_after_three() {
     const COUNT: usize = 10;
     let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("map.xodr");
-    let town = std::fs::read_to_string(workspace().join("examples/maps/town.xodr")).expect("read");
-    // An attribute that no version knows, on the first roads.
-    std::fs::write(&path, town.replacen("<road ", "<road odd=\"1\" ", COUNT)).expect("written");
-    let map = path.to_str().expect("text");
+    let map = &odd_town(folder.path(), COUNT);
     let told = |text: &str| text.lines().filter(|line| line.contains(": warning[")).count();
     let folded = text(&["check", map]);
     assert_eq!(told(&folded), 3, "{folded}");

@@ -108,6 +108,11 @@ fn flips_in_every_table_are_found_and_survived_even_with_fitting_hashes() {
         flip_every_table(&archive(map));
     }
     flip_every_table(&crossing());
+    for path in mapd_tests::releases::kept() {
+        let mut bytes = AlignedBytes::new();
+        bytes.extend_from_slice(&std::fs::read(path).expect("readable"));
+        flip_every_table(&bytes);
+    }
 }
 
 /// A crossing with everything that signals can have, which fills every table of theirs.

@@ -1,14 +1,17 @@
 //! Archives of releases of other ages: what this one does not know is left alone, what it would misread is refused by name.
 
 use mapd_archive::{
-    AlignedBytes, Feature, FeatureRow, OpenError, Unknown, encode, open, unknown, verify,
+    AlignedBytes, FEATURES, Feature, FeatureRow, OpenError, Unknown, encode, open, unknown, verify,
+    verify_overlay,
 };
 use mapd_client::Snapshot;
 use mapd_compiler::{Compilation, CompileOptions, compile};
 use mapd_tests::damage::{ask_everything, seal};
-use mapd_tests::releases::{Parts, UNKNOWN_TABLE, answers, golden};
+use mapd_tests::releases::{MOMENT, Parts, UNKNOWN_TABLE, answers, answers_today, golden, kept};
 use mapd_tests::{carried, crossroads};
+use std::collections::BTreeSet;
 use std::path::Path;
+use std::time::UNIX_EPOCH;
 
 fn read(path: &Path) -> AlignedBytes {
     let mut bytes = AlignedBytes::new();
@@ -22,11 +25,6 @@ fn compiled(text: &str) -> Compilation {
 
 fn crossing() -> AlignedBytes {
     let map = compiled(&crossroads::furnished());
-    encode(&map.rows.expect("accepted"), &map.provenance).expect("encodes")
-}
-
-fn objects() -> AlignedBytes {
-    let map = compiled(&std::fs::read_to_string(carried("objects.xodr")).expect("readable"));
     encode(&map.rows.expect("accepted"), &map.provenance).expect("encodes")
 }
 
@@ -44,24 +42,58 @@ fn format_1_is_refused_by_name() {
 /// What a release has written, every later one reads, and answers the same.
 #[test]
 fn archives_of_released_layouts_are_read_and_answer_as_ever() {
-    let mut asked = 0;
-    for entry in std::fs::read_dir(golden()).expect("a folder").flatten() {
-        let path = entry.path();
-        let expected = path.with_extension("txt");
-        if path.extension().is_none_or(|extension| extension != "mapd") || !expected.exists() {
-            continue;
-        }
+    let kept = kept();
+    assert!(!kept.is_empty(), "no archive of a released layout");
+    for path in kept {
         let bytes = read(&path);
         verify(&bytes).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let expected = std::fs::read_to_string(expected).expect("readable");
+        let expected = std::fs::read_to_string(path.with_extension("txt")).expect("readable");
         let found = answers_of(bytes.clone());
         let differs = found.lines().zip(expected.lines()).find(|(found, due)| found != due);
         assert_eq!(differs, None, "{}", path.display());
         assert_eq!(found.lines().count(), expected.lines().count(), "{}", path.display());
         ask_everything(bytes);
+    }
+}
+
+/// A table that no kept archive fills could change its meaning unseen.
+#[test]
+fn kept_archives_fill_every_table() {
+    let mut empty: BTreeSet<_> = names(&crossing(), |_| true);
+    for path in kept() {
+        let filled = names(&read(&path), |count| count > 0);
+        empty.retain(|name| !filled.contains(name));
+    }
+    // A row for each feature that this release has added to the format.
+    let due = if FEATURES.is_empty() { BTreeSet::from(["features"]) } else { BTreeSet::new() };
+    assert_eq!(empty, due);
+}
+
+/// Names of the tables of an archive that have so many rows.
+fn names(bytes: &AlignedBytes, rows: impl Fn(usize) -> bool) -> BTreeSet<&'static str> {
+    let infos = open(bytes).expect("opens").tables.infos();
+    infos.iter().filter(|info| rows(info.count)).map(|info| info.name).collect()
+}
+
+/// The same of overlays: `NAME.overlay` is over `NAME.mapd`.
+#[test]
+fn overlays_of_released_layouts_are_read_and_answer_as_ever() {
+    let mut asked = 0;
+    for entry in std::fs::read_dir(golden()).expect("a folder").flatten() {
+        let path = entry.path();
+        if path.extension().is_none_or(|extension| extension != "overlay") {
+            continue;
+        }
+        let bytes = read(&path);
+        verify_overlay(&bytes).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let map = Snapshot::open(path.with_extension("mapd")).expect("its map");
+        let snapshot = map.with_overlay(bytes).expect("opens");
+        let expected = std::fs::read_to_string(path.with_extension("overlay.txt"));
+        let found = answers_today(snapshot.view(UNIX_EPOCH + MOMENT)).expect("text");
+        assert_eq!(found, expected.expect("readable"), "{}", path.display());
         asked += 1;
     }
-    assert!(asked > 0, "no archive of a released layout");
+    assert!(asked > 0, "no overlay of a released layout");
 }
 
 #[test]
@@ -95,25 +127,34 @@ fn a_table_of_a_later_release_is_left_alone() {
 /// Without any one optional table an archive is read; whatever is missing, nothing panics.
 #[test]
 fn optional_tables_may_be_missing() {
-    let mut left_out = 0;
-    for good in [crossing(), objects()] {
+    let mut left_out = BTreeSet::new();
+    let mut required = BTreeSet::new();
+    for path in kept() {
+        let good = read(&path);
         for number in Parts::of(&good).numbers() {
             let bytes = Parts::of(&good).without(number).to_archive();
-            match open(&bytes) {
-                Err(OpenError::NoTable { .. }) => {}
-                Err(error) => panic!("without {number}: {error}"),
-                Ok(archive) => {
-                    let was = open(&good).expect("opens").tables.infos();
-                    let is = archive.tables.infos();
-                    let missing = was.iter().zip(is).filter(|(was, is)| was.count != is.count);
-                    assert_eq!(missing.count(), 1, "without {number}");
-                    ask_everything(bytes);
-                    left_out += 1;
+            let archive = match open(&bytes) {
+                Err(OpenError::NoTable { table }) => {
+                    required.insert(table);
+                    continue;
                 }
-            }
+                other => other.unwrap_or_else(|error| panic!("without {number}: {error}")),
+            };
+            let was = open(&good).expect("opens").tables.infos();
+            let is = archive.tables.infos();
+            let missing = was.iter().zip(is).filter(|(was, is)| was.count != is.count);
+            let missing: Vec<_> = missing.map(|(was, _)| was.name).collect();
+            assert_eq!(missing.len(), 1, "without {number}");
+            left_out.extend(missing);
+            ask_everything(bytes);
         }
     }
-    assert!(left_out > 40, "only {left_out} tables were left out");
+    let mut all = names(&crossing(), |_| true);
+    if FEATURES.is_empty() {
+        all.remove("features");
+    }
+    let tried: BTreeSet<_> = left_out.union(&required).copied().collect();
+    assert_eq!(tried, all);
 }
 
 #[test]

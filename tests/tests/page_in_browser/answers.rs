@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use std::time::UNIX_EPOCH;
 
 /// Places that are asked about in each map, once for each kind of question about places.
-const PLACES: usize = 700;
+const PLACES: usize = 800;
 /// Of these, pairs between which a way is looked for.
 const WAYS: usize = 60;
 /// Things of each kind whose sheets are compared.

@@ -43,7 +43,7 @@ fn the_k_best_are_those_of_another_librarys_yen() {
         let map = snapshot.map();
         let graph = PlainGraph::new(map, CAR, &cost);
         for (from, targets) in places(map, CAR, 100) {
-            for to in targets.into_iter().take(2) {
+            for to in targets.into_iter().take(3) {
                 ask(map, (from, to), &options, &mut scratch, &mut out);
                 let expected = graph.best_costs(map, (from, to), COUNT);
                 let own: Vec<f64> = out.iter().map(|(route, _)| route.cost).collect();

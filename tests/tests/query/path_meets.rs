@@ -1,11 +1,13 @@
 //! Who meets a path: lanes that merge into it, lanes of other roads at the same place, crosswalks, and the lanes that lead there.
 
 use crate::paths::each_path;
-use mapd_client::vocabulary::{Class, ConflictKind, VehicleClass};
+use mapd_client::vocabulary::{Class, ConflictKind, RelationReason, VehicleClass};
 use mapd_client::{Lane, Map, NearestOptions};
-use mapd_query::path::{PathBuffer, PathConflict, PathOptions, Yields, steps_of_lanes};
+use mapd_query::path::{PathBuffer, PathConflict, PathOptions, Yields, YieldsBy, steps_of_lanes};
+use mapd_query::rules::Basis;
+use mapd_query::vocabulary::RoadRules;
 use mapd_tests::crossroads::{ARMS, crossroads, furnished, signal};
-use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
+use mapd_tests::graph_maps::{Line, document, lane, link, road, section, wide};
 use mapd_tests::maps::open_text;
 use std::f64::consts::FRAC_PI_2;
 
@@ -69,6 +71,103 @@ fn a_lane_that_ends_beside_merges() {
     assert_eq!(found.len(), 1, "{found:?}");
     assert_eq!((found[0].kind, found[0].along), (ConflictKind::Merge, [0.0, 50.0]));
     assert_eq!(found[0].other, lane_by(map, "1:0:-2").lane_id());
+}
+
+/// Two roads that cross at x = 50 m without a junction: signs up to 30 m before say who goes first, and a line where to wait.
+#[test]
+fn signs_outside_junctions_say_who_goes_first() {
+    let one = section(0.0, "", &lane(-1, ""));
+    let signs = |text: String| format!("<signals>{text}</signals></road>");
+    let check = |own: &[(&str, f64)],
+                 other: &[(&str, f64)],
+                 expected: (Yields, RelationReason),
+                 wait: f64| {
+        let sign = |road: &str, list: &[(&str, f64)]| -> String {
+            let all = list.iter().enumerate();
+            all.map(|(i, (kind, s))| signal(&format!("{road}{i}"), *s, -5.0, "+", kind, ""))
+                .collect()
+        };
+        let flat = road("1", "junction=\"-1\"", Line(0.0, 0.0, 0.0, 100.0, 0.0), "", &one)
+            .replace("</road>", &signs(sign("a", own)));
+        let across =
+            road("2", "junction=\"-1\"", Line(50.0, -50.0, FRAC_PI_2, 100.0, 0.0), "", &one)
+                .replace("</road>", &signs(sign("b", other)));
+        let snapshot = open_text(&document(&format!("{flat}{across}")));
+        let found = meets(snapshot.map(), &["1:0:-1"], [10.0, 90.0]);
+        assert_eq!(found.len(), 1, "{own:?}, {other:?}: {found:?}");
+        let told = &found[0];
+        assert_eq!((told.yields, told.reason), expected, "{own:?}, {other:?}");
+        let basis = if expected.0 == Yields::Unknown { Basis::Unknown } else { Basis::Written };
+        let rules = RoadRules::of("DE").expect("its rules");
+        assert_eq!(told.yields_by(rules), YieldsBy { yields: expected.0, basis });
+        // On the other road, s is 46.5 to 50 m where this lane lies.
+        let [from, to] = told.other_s;
+        assert!(from > 46.0 && from < 47.0 && to > 49.0 && to < 50.1, "{told:?}");
+        assert!(
+            (told.wait - if wait > 0.0 { wait } else { told.along[0] }).abs() < 1e-9,
+            "{told:?}"
+        );
+    };
+    let unknown = (Yields::Unknown, RelationReason::None);
+    check(&[], &[], unknown, 0.0);
+    check(&[("205", 40.0)], &[], (Yields::Yields, RelationReason::YieldSign), 0.0);
+    check(&[("206", 40.0)], &[], (Yields::Yields, RelationReason::StopSign), 0.0);
+    check(&[("206", 40.0), ("294", 42.0)], &[], (Yields::Yields, RelationReason::StopSign), 32.0);
+    check(&[], &[("205", 40.0)], (Yields::Priority, RelationReason::YieldSign), 0.0);
+    check(&[("306", 30.0)], &[], (Yields::Priority, RelationReason::PriorityRoad), 0.0);
+    check(&[("205", 40.0)], &[("205", 40.0)], unknown, 0.0);
+    check(&[("205", 40.0)], &[("206", 40.0)], (Yields::Priority, RelationReason::StopSign), 0.0);
+    // Too far before, and behind.
+    check(&[("205", 12.0)], &[("205", 12.0)], unknown, 0.0);
+    check(&[("205", 60.0), ("294", 60.0)], &[("205", 60.0)], unknown, 0.0);
+}
+
+/// A ramp comes in at a slight angle, without a junction: both lie over each other before they are one, and who gives way waits before that.
+#[test]
+fn a_ramp_is_waited_for_before_both_lie_over_each_other() {
+    const ANGLE: f64 = 0.1;
+    let own = |links: &str| section(0.0, "", &lane(-1, links));
+    let main = road(
+        "1",
+        "junction=\"-1\"",
+        Line(-100.0, 0.0, 0.0, 100.0, 0.0),
+        &link("s road 2 start"),
+        &own("s-1"),
+    );
+    let next = road(
+        "2",
+        "junction=\"-1\"",
+        Line(0.0, 0.0, 0.0, 100.0, 0.0),
+        &link("p road 1 end"),
+        &own("p-1"),
+    );
+    let from = (-100.0 * ANGLE.cos(), -100.0 * ANGLE.sin());
+    let ramp = road(
+        "3",
+        "junction=\"-1\"",
+        Line(from.0, from.1, ANGLE, 100.0, 0.0),
+        &link("s road 2 start"),
+        &own("s-1"),
+    );
+    let yields = signal("Y", 45.0, -5.0, "+", "205", "");
+    let ramp = ramp.replace("</road>", &format!("<signals>{yields}</signals></road>"));
+    let snapshot = open_text(&document(&(main + &next + &ramp)));
+    let found = meets(snapshot.map(), &["1:0:-1", "2:0:-1"], [10.0, 90.0]);
+    assert_eq!(found.len(), 1, "{found:?}");
+    let told = &found[0];
+    assert_eq!(told.kind, ConflictKind::Merge);
+    assert_eq!(
+        (told.yields, told.reason),
+        (Yields::Priority, RelationReason::YieldSign),
+        "{told:?}"
+    );
+    // The ramp's left edge meets the right one of the main road, 3.5 m beside its line, so far before the end.
+    let apart = 3.5 / ANGLE.sin();
+    let [from, to] = told.along;
+    assert!((to - 90.0).abs() < 1e-9 && (from - (90.0 - apart)).abs() < 4.0, "{told:?}");
+    let [from, to] = told.other_s;
+    assert!((from - (100.0 - apart)).abs() < 4.0 && (to - 100.0).abs() < 1.0, "{told:?}");
+    assert_eq!(told.wait, told.along[0]);
 }
 
 #[test]

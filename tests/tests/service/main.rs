@@ -5,6 +5,7 @@ mod events;
 mod first_screen;
 mod held;
 mod hostile_files;
+mod json_schemas;
 mod killed_writers;
 mod limits;
 mod locked;

@@ -1,7 +1,9 @@
 //! Signed entries of overlays: what the trusted key signed is laid over the map and kept, everything else is refused with its reason.
 
 use super::trust::write_keys;
-use mapd_client::signature_path;
+use mapd_client::{
+    Attach, Client, SignedEntries, Snapshot, TrustedKey, read_signature, signature_path,
+};
 use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain};
 use mapd_tests::town::town;
 use serde_json::Value;
@@ -177,6 +179,85 @@ fn what_is_kept_is_proved_again() {
     scene.serves_nothing(&ours, "entry \"c\" is not signed");
 }
 
+/// What a reader finds that has these documents and trusts this key and not the daemon: ids that the overlay does not have, or why it is not trusted.
+fn proved(
+    scene: &Scene,
+    snapshot: &Snapshot,
+    key: &str,
+    files: &[&Path],
+) -> Result<String, String> {
+    let key = TrustedKey::open(scene.path(key)).expect("a key");
+    let texts: Vec<(String, String)> = files
+        .iter()
+        .map(|file| {
+            let text = fs::read_to_string(file).expect("read");
+            (text, read_signature(file).expect("signed"))
+        })
+        .collect();
+    let documents: Vec<SignedEntries<'_>> = texts
+        .iter()
+        .map(|(document, signature)| SignedEntries { name: "works", document, signature })
+        .collect();
+    let missing = snapshot.verify_overlay_signatures(&key, &documents);
+    missing.map(|ids| ids.join(" ")).map_err(|error| error.to_string())
+}
+
+/// A reader needs not trust the daemon: here one that takes whatever it is given.
+#[test]
+fn readers_prove_overlays_themselves() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&[&scene.path("town.xodr")]);
+    let client = Client::connect_as(Attach::Observer, &scene.place.domain(), "town", PATIENCE)
+        .expect("attaches");
+    let first = scene.write("first.json", &["a", "b", "c"]);
+    let second = scene.write("second.json", &["b", "d"]);
+    let both = [&*first, &*second];
+    for file in both {
+        scene.sign(file, "ours.key");
+    }
+    let bare = client.refresh().expect("served").clone();
+    assert_eq!(proved(&scene, &bare, "ours.pub", &both), Ok("a b c d".to_owned()));
+    for file in both {
+        scene.apply(file, 0);
+    }
+    let good = client.refresh().expect("served").clone();
+    assert_eq!(proved(&scene, &good, "ours.pub", &both), Ok(String::new()));
+    let refused = |snapshot: &Snapshot, key: &str, files: &[&Path], words: &str| {
+        let why = proved(&scene, snapshot, key, files).expect_err("refused");
+        assert!(why.contains(words), "{why}");
+    };
+    refused(&good, "theirs.pub", &both, "another key");
+    refused(&good, "ours.pub", &both[1..], "entry \"a\" of its overlay is in none");
+    // An entry that says so is seen to be missing.
+    scene.run(&["overlay", "town", "remove", "a"], 0);
+    let without = client.refresh().expect("served").clone();
+    assert_eq!(proved(&scene, &without, "ours.pub", &both), Ok("a".to_owned()));
+    // The same entries for another map.
+    fs::write(scene.path("town.xodr"), town(4, 3)).expect("written");
+    scene.run(&["reload", "town"], 0);
+    let swapped = client.refresh().expect("served").clone();
+    assert_ne!(swapped.header().content_hash, without.header().content_hash);
+    assert_eq!(proved(&scene, &swapped, "ours.pub", &both), Ok("a".to_owned()));
+    // An entry of a good name that says something else, or is elsewhere.
+    for (what, with) in [("[10.1,20.3]", "[10.1,20.2]"), ("closed", "wet"), ("\"1\"", "\"2\"")] {
+        let forged = scene.write("forged.json", &["d"]);
+        replace(&forged, what, with);
+        scene.apply(&forged, 0);
+        let forged = client.refresh().expect("served").clone();
+        refused(&forged, "ours.pub", &both, "is not what the signed documents say");
+    }
+    // What is signed and is no document, which `mapd sign` would not sign.
+    let other = scene.folder.path().join("other.json");
+    fs::write(&other, "{}").expect("written");
+    let key = fs::read_to_string(scene.path("ours.key")).expect("read");
+    let key = minisign::SecretKeyBox::from_string(&key)
+        .and_then(|sealed| sealed.into_unencrypted_secret_key());
+    let signature = minisign::sign(None, &key.expect("a key"), &b"{}"[..], None, None);
+    let signature = signature.expect("signed").into_string();
+    fs::write(signature_path(&other), signature).expect("written");
+    refused(&bare, "ours.pub", &[&other], "no document of entries");
+}
+
 /// Documents of which nothing is left are forgotten.
 #[test]
 fn documents_without_entries_are_forgotten() {
@@ -251,7 +332,7 @@ fn a_folder_of_signed_files_is_followed() {
     until(&|| has_said("are not signed"));
     scene.sign(&file, "ours.key");
     until(&|| scene.active() == ["a"]);
-    // Who can only write the folder opens nothing: a file that goes takes nothing with it.
+    // A file that goes takes nothing with it.
     fs::write(&said, "").expect("emptied");
     fs::remove_file(&file).expect("removed");
     fs::remove_file(signature_path(&file)).expect("removed");

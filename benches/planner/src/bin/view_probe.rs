@@ -1,6 +1,6 @@
 //! One process that asks a map, or a view over it, a number of questions: `view_probe MAP OVERLAY KIND COUNT`, for counting instructions. OVERLAY is the
 //! bytes of an overlay, or `-` for a view without one. Kinds: `speed`, `allows`, `match` (the lanes of a pose), `route` and `find-route` (the fastest way between random
-//! places that have one), `reachable` (within a time), each also with `map-` before it, of the map itself; `open-route` asks only for ways that there are under the overlay, and `factors-route` has the map search these with what the
+//! places that have one), `reachable` (within a time), each also with `map-` before it, of the map itself; `open-route` asks only for routes that the overlay leaves possible, and `factors-route` has the map search these with what the
 //! overlay says of whole lanes as factors of them.
 
 use mapd_archive::AlignedBytes;
@@ -20,7 +20,7 @@ use std::time::UNIX_EPOCH;
 /// Places that are prepared; questions go round them.
 const PLACES: usize = 4_096;
 /// Ways that are prepared.
-const WAYS: usize = 64;
+const PAIRS: usize = 64;
 /// How far questions of what can be reached go `[s]`.
 const WITHIN: f64 = 60.0;
 /// Vehicle that drives them.
@@ -40,24 +40,25 @@ fn places(map: Map<'_>) -> Vec<(LaneId, f64)> {
     (0..PLACES).map(|_| place()).collect()
 }
 
-/// Pairs of places with a way between them.
-fn ways(map: Map<'_>, places: &[(LaneId, f64)]) -> Vec<[PositionOnLane; 2]> {
+/// Pairs of places with a route between them.
+fn routes(map: Map<'_>, places: &[(LaneId, f64)]) -> Vec<[PositionOnLane; 2]> {
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let place = |(lane, s): (LaneId, f64)| PositionOnLane { lane, s };
-    let pairs = places.chunks_exact(2).map(|pair| [place(pair[0]), place(pair[1])]);
+    let all = places.chunks_exact(2).map(|pair| [place(pair[0]), place(pair[1])]);
     let cost = ShortestTime::default();
     let mut found = |[from, to]: &[PositionOnLane; 2]| {
-        map.route(*from, *to, CAR, &cost, &mut scratch, &mut steps).is_ok_and(|way| way.is_some())
+        map.route(*from, *to, CAR, &cost, &mut scratch, &mut steps)
+            .is_ok_and(|route| route.is_some())
     };
-    pairs.filter(|pair| found(pair)).take(WAYS).collect()
+    all.filter(|pair| found(pair)).take(PAIRS).collect()
 }
 
-/// Those that begin and end on open lanes and have a way under an overlay, too. A view lets a vehicle leave a closed lane, and knows at once that a goal is closed; a
-/// search with factors does neither. None where the two do not cost the same.
+/// Those that begin and end on open lanes and have a route under an overlay, too. A view lets a vehicle leave a closed lane, and knows at once that a goal is closed; a
+/// search with factors does neither. None where their costs differ by more than a thousandth.
 fn still_open(
     view: View<'_>,
     factors: &impl RouteCost,
-    ways: Vec<[PositionOnLane; 2]>,
+    pairs: Vec<[PositionOnLane; 2]>,
 ) -> Option<Vec<[PositionOnLane; 2]>> {
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let cost = ShortestTime::default();
@@ -65,13 +66,13 @@ fn still_open(
         view.allows(place.lane, place.s, CAR).is_ok_and(|answer| answer.is_allowed)
     };
     let mut found = Vec::new();
-    for way in ways.into_iter().filter(|way| way.iter().all(open)) {
-        let [from, to] = way;
+    for pair in pairs.into_iter().filter(|pair| pair.iter().all(open)) {
+        let [from, to] = pair;
         let today = view.route(from, to, CAR, &cost, &mut scratch, &mut steps).ok()?;
         let own = view.map().route(from, to, CAR, factors, &mut scratch, &mut steps).ok()?;
         match (today, own) {
             (Some(today), Some(own)) if (today.cost - own.cost).abs() < 1e-3 * own.cost => {
-                found.push(way);
+                found.push(pair);
             }
             (None, None) => {}
             _ => return None,
@@ -125,7 +126,7 @@ fn main() -> ExitCode {
         Some(VehiclePose { position, heading: pose.heading })
     };
     let poses: Vec<VehiclePose> = places.iter().filter_map(middle).collect();
-    let ways = if kind.ends_with("route") { ways(map, &places) } else { Vec::new() };
+    let pairs = if kind.ends_with("route") { routes(map, &places) } else { Vec::new() };
     let cost = ShortestTime::default();
     let options = MatchOptions { vehicle: Some(CAR), ..MatchOptions::default() };
     let (mut matches, mut reached) = (Vec::new(), Vec::new());
@@ -133,8 +134,8 @@ fn main() -> ExitCode {
     let is_compared = matches!(kind.as_str(), "open-route" | "factors-route");
     let factors = if is_compared { factors(view) } else { Vec::new() };
     let factors = WithFactors { base: cost, factors: &factors };
-    let ways = if is_compared { still_open(view, &factors, ways) } else { Some(ways) };
-    let Some(ways) = ways else { return ExitCode::from(3) };
+    let pairs = if is_compared { still_open(view, &factors, pairs) } else { Some(pairs) };
+    let Some(pairs) = pairs else { return ExitCode::from(3) };
     for i in 0..count {
         let (lane, s) = places[i % places.len()];
         match kind.as_str() {
@@ -168,7 +169,7 @@ fn main() -> ExitCode {
                 black_box(&found);
             }
             "map-find-route" | "find-route" => {
-                let [starts, goals] = ways[i % ways.len()].map(|place| [RouteEnd::from(place)]);
+                let [starts, goals] = pairs[i % pairs.len()].map(|place| [RouteEnd::from(place)]);
                 let (starts, goals) = (&starts[..], &goals[..]);
                 let request = RouteRequest { starts, goals, vehicle: CAR, cost: &cost, avoid: &[] };
                 let found = match kind.as_str() {
@@ -178,15 +179,15 @@ fn main() -> ExitCode {
                 black_box(&found);
             }
             "map-route" => {
-                let [from, to] = ways[i % ways.len()];
+                let [from, to] = pairs[i % pairs.len()];
                 black_box(&map.route(from, to, CAR, &cost, &mut scratch, &mut steps));
             }
             "factors-route" => {
-                let [from, to] = ways[i % ways.len()];
+                let [from, to] = pairs[i % pairs.len()];
                 black_box(&map.route(from, to, CAR, &factors, &mut scratch, &mut steps));
             }
             "route" | "open-route" => {
-                let [from, to] = ways[i % ways.len()];
+                let [from, to] = pairs[i % pairs.len()];
                 black_box(&view.route(from, to, CAR, &cost, &mut scratch, &mut steps));
             }
             _ => return ExitCode::from(2),

@@ -91,6 +91,7 @@ using ConflictApproach = mapd_conflict_approach;
 using PathCrossing = mapd_path_crossing;
 using PathFact = mapd_path_fact;
 using PathSpeed = mapd_path_speed;
+using PathTime = mapd_path_time;
 using PathSegment = mapd_path_segment;
 using PathChange = mapd_path_change;
 using CorridorSurface = mapd_corridor_surface;

@@ -68,6 +68,10 @@ class Path : public detail::Owner<mapd_path, mapd_path_close> {
   Result<std::vector<PathSpeed>> try_speeds(Scratch& scratch) const {
     return detail::list<PathSpeed>([&](auto... out) { return mapd_path_speeds(get(), scratch.get(), out...); });
   }
+  /// How long a vehicle takes from S to S [m] at the speed limits.
+  Result<PathTime> try_travel_time(double from, double to) const {
+    return detail::value<PathTime>([&](auto... out) { return mapd_path_travel_time(get(), from, to, out...); });
+  }
   /// From which lanes the goal is reached, and until where a change of lane may wait.
   Result<std::vector<PathSegment>> try_segments(std::uint8_t vehicle, Scratch& scratch) const {
     return detail::list<PathSegment>(
@@ -137,6 +141,7 @@ class Path : public detail::Owner<mapd_path, mapd_path_close> {
   }
   std::vector<PathFact> facts(Scratch& scratch) const { return try_facts(scratch).value(); }
   std::vector<PathSpeed> speeds(Scratch& scratch) const { return try_speeds(scratch).value(); }
+  PathTime travel_time(double from, double to) const { return try_travel_time(from, to).value(); }
   std::vector<PathSegment> segments(std::uint8_t vehicle, Scratch& scratch) const {
     return try_segments(vehicle, scratch).value();
   }

@@ -692,6 +692,11 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   }
 
   /// All bridges and tunnels.
+  Result<std::optional<std::string_view>> try_country(std::uint32_t number) const {
+    const auto out = detail::optional<mapd_text>([&](auto... out) { return mapd_country(get(), number, out...); });
+    if (!out) return out.error();
+    return *out ? std::optional(view(**out)) : std::nullopt;
+  }
   Result<std::vector<Structure>> try_structures() const {
     return detail::list<Structure>([&](auto... out) { return mapd_structures(get(), out...); });
   }
@@ -719,6 +724,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
 #if MAPD_EXCEPTIONS
   MapFacts facts() const { return try_facts().value(); }
   std::uint64_t overlay_revision() const { return try_overlay_revision().value(); }
+  std::optional<std::string_view> country(std::uint32_t number) const { return try_country(number).value(); }
   std::vector<Structure> structures() const { return try_structures().value(); }
   std::vector<ObjectReference> object_references() const { return try_object_references().value(); }
   std::vector<Quarantined> quarantined_parts() const { return try_quarantined_parts().value(); }

@@ -33,6 +33,8 @@ void add_steps(struct numbers *out, const mapd_route_step *steps, size_t count) 
 
 static void add_fact(struct numbers *out, const mapd_path_fact *fact) {
   mapd_junction_facts junction;
+  mapd_text country;
+  uint64_t classes = 0;
   add_f(out, fact->along_from);
   add_f(out, fact->along_to);
   add_u(out, lane_bits(fact->lane));
@@ -61,6 +63,15 @@ static void add_fact(struct numbers *out, const mapd_path_fact *fact) {
     case MAPD_PATH_FACT_STRUCTURE:
       add_u(out, word_hash(MAPD_WORDS_STRUCTURE_KIND, fact->code));
       add_u(out, fact->number);
+      break;
+    case MAPD_PATH_FACT_COUNTRY:
+      must(mapd_country(map, fact->number, &country, &error));
+      add_u(out, text_hash(country));
+      break;
+    case MAPD_PATH_FACT_ACCESS:
+      for (uint16_t code = 0; code < 16; ++code)
+        if (fact->number & 1u << code) classes += word_hash(MAPD_WORDS_VEHICLE_CLASS, code);
+      add_u(out, classes);
       break;
     default:
       add_u(out, fact->number);
@@ -129,6 +140,7 @@ void along(const uint64_t *q, const mapd_route_step *steps, size_t step_count, s
   static mapd_route_step part[MOST];
   static mapd_path_crossing crossings[MOST];
   mapd_path *path = NULL;
+  mapd_path_time time;
   size_t count;
   must(mapd_path_new(map, steps, step_count, NULL, &path, &error));
   must(mapd_path_facts(path, scratch, facts, MOST, &count, &error));
@@ -143,6 +155,9 @@ void along(const uint64_t *q, const mapd_route_step *steps, size_t step_count, s
     add_f(out, speeds[i].rule.max);
     add_u(out, signal_bits(speeds[i].rule.signal));
   }
+  must(mapd_path_travel_time(path, as_f(q[5]), as_f(q[6]), &time, &error));
+  add_f(out, time.time);
+  add_f(out, time.unlimited);
   must(mapd_path_segments(path, CAR, scratch, segments, MOST, &count, &error));
   add_u(out, count);
   for (size_t i = 0; i < count; ++i) {

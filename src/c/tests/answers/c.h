@@ -32,6 +32,7 @@ ID(lane)
 ID(signal)
 ID(object)
 ID(junction)
+ID(node)
 #undef ID
 
 static inline mapd_lane_id lane_of(uint64_t bits) {
@@ -56,6 +57,7 @@ void add_object(struct numbers *out, mapd_object_id object);
 void points(const char *kind, const uint64_t *q, struct numbers *out);
 void roads(const char *kind, const uint64_t *q, struct numbers *out);
 void geodetic(const uint64_t *q, struct numbers *out);
+void parts(const char *kind, const uint64_t *q, struct numbers *out);
 void lanes(const char *kind, const uint64_t *q, struct numbers *out);
 void routes(const char *kind, const uint64_t *q, struct numbers *out);
 void reachable(const uint64_t *q, struct numbers *out);

@@ -91,9 +91,9 @@ int main(int argc, char **argv) {
   struct numbers question = {0}, answer = {0}, found = {0};
   while (read_line(file, &line, &room, &kind, &question, &answer)) {
     found.count = 0;
-    /* Each of their functions is what the same question calls in C++, by a wrapper: asked there. */
-    if (one_of(kind, " road region details sign thing earth whole ")) continue;
-    if (one_of(kind, " nearest near objects landmarks around ")) {
+    if (one_of(kind, " road region details sign thing earth whole ")) {
+      parts(kind, question.all, &found);
+    } else if (one_of(kind, " nearest near objects landmarks around ")) {
       points(kind, question.all, &found);
     } else if (one_of(kind, " track inertial surface ")) {
       roads(kind, question.all, &found);

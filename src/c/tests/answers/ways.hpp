@@ -42,6 +42,18 @@ inline void fact(const mapd::Snapshot& map, const mapd::PathFact& fact, Numbers&
     case MAPD_PATH_FACT_STRUCTURE:
       a.word(MAPD_WORDS_STRUCTURE_KIND, fact.code).u(fact.number);
       break;
+    case MAPD_PATH_FACT_COUNTRY:
+      a.text(map.country(fact.number).value_or(std::string_view()));
+      break;
+    case MAPD_PATH_FACT_ACCESS: {
+      std::uint64_t classes = 0;
+      for (std::uint16_t code = 0; code < 16; ++code) {
+        const auto word = mapd::word(MAPD_WORDS_VEHICLE_CLASS, code);
+        if (fact.number & 1u << code) classes += hash_of(word.data(), word.size());
+      }
+      a.u(classes);
+      break;
+    }
     default:
       a.u(fact.number);
   }
@@ -77,6 +89,8 @@ inline void answer_along(const mapd::Snapshot& map, const mapd::Route& route, Qu
   for (const auto& one : speeds) {
     a.all(one.along_from, one.along_to).limit(one.rule.max, one.rule.has_max).id(one.rule.signal);
   }
+  const auto time = path.travel_time(from, to);
+  a.all(time.time, time.unlimited);
   const auto segments = path.segments(car, scratch);
   a.u(segments.size());
   for (const auto& one : segments) {

@@ -11,7 +11,8 @@ use crate::resolve::Resolved;
 use mapd_archive::Rows;
 use mapd_xodr::Finding;
 
-/// Fills positions, lanes and right of way of a map whose lane graph is complete. What belongs to no lane is a finding.
+/// Fills positions, lanes and right of way of a map whose lane graph is complete. What belongs to no lane, and a zone without
+/// an end, is a finding.
 pub(crate) fn complete(
     rows: &mut Rows,
     resolved: &Resolved,
@@ -19,8 +20,8 @@ pub(crate) fn complete(
 ) -> Vec<Finding> {
     objects::resolve(rows);
     place::place(rows, resolved);
-    let findings = attach::attach(rows, resolved, options.lane_reach);
+    let mut findings = attach::attach(rows, resolved, options.lane_reach);
     right_of_way::build(rows);
-    speed_signs::build(rows);
+    findings.extend(speed_signs::build(rows, resolved));
     findings
 }

@@ -5,10 +5,10 @@
 
 use crate::sample::view;
 use mapd_archive::{
-    Class, ConflictKind, ConflictRow, JunctionPriorityRow, Relation, RelationReason, Rows,
+    ConflictKind, ConflictRow, JunctionPriorityRow, Relation, RelationReason, Rows,
 };
 use mapd_geometry::normalize_angle;
-use mapd_query::compiling::ByRow as _;
+use mapd_query::compiling::{ByRow as _, EntrySign};
 use mapd_query::rules::Turn;
 use mapd_query::{Lane, Map, RoadId};
 use rayon::prelude::*;
@@ -32,7 +32,7 @@ struct Movement {
     across: Turn,
     /// Controllers of its lights, by row; a light without any stands for itself.
     lights: Vec<LightGroup>,
-    sign: Sign,
+    sign: EntrySign,
 }
 
 /// Lights that switch together.
@@ -40,15 +40,6 @@ struct Movement {
 enum LightGroup {
     Controller(u32),
     Light(u32),
-}
-
-/// The sign at the entry, the weakest right first.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Sign {
-    Stop,
-    Yield,
-    None,
-    Priority,
 }
 
 /// The first row of `junction/priority` by junction, road with priority and road without.
@@ -96,16 +87,11 @@ fn movement(lane: &Lane<'_>) -> Movement {
     let start = lane.movement_start();
     let entry = start.entries().next().map(|lane| (lane.road().road_id(), lane.is_forward()));
     let mut lights: Vec<LightGroup> = Vec::new();
-    // Of several signs the one that takes most counts; a priority sign only where none takes any.
-    let mut weakest = Sign::None;
+    let mut sign = EntrySign::None;
     for entry in lane.entry_signals() {
         let one = entry.signal;
         let signal = one.signal();
-        match sign(signal.class()) {
-            Sign::None => {}
-            sign if weakest == Sign::None => weakest = sign,
-            sign => weakest = weakest.min(sign),
-        }
+        sign = sign.and(EntrySign::of(signal.class()));
         if one.is_vehicle_light() {
             let before = lights.len();
             let controllers = signal.controllers();
@@ -124,16 +110,7 @@ fn movement(lane: &Lane<'_>) -> Movement {
         turn: lane.turn(),
         across,
         lights,
-        sign: weakest,
-    }
-}
-
-fn sign(class: Class) -> Sign {
-    match class {
-        Class::Stop => Sign::Stop,
-        Class::Yield => Sign::Yield,
-        Class::PriorityRoad | Class::PriorityAtNextJunction => Sign::Priority,
-        _ => Sign::None,
+        sign,
     }
 }
 
@@ -152,21 +129,12 @@ fn relation(
         return (Relation::Lights, RelationReason::Lights);
     }
     if !both_lit
-        && let Some(found) = by_sign(own, other).or_else(|| by_priority(own, other, priorities))
+        && let Some(found) =
+            own.sign.against(other.sign).or_else(|| by_priority(own, other, priorities))
     {
         return found;
     }
     by_direction(own, other, angle)
-}
-
-fn by_sign(own: &Movement, other: &Movement) -> Option<(Relation, RelationReason)> {
-    let reason = match own.sign.min(other.sign) {
-        _ if own.sign == other.sign => return None,
-        Sign::Stop => RelationReason::StopSign,
-        Sign::Yield => RelationReason::YieldSign,
-        Sign::None | Sign::Priority => RelationReason::PriorityRoad,
-    };
-    Some((yields_if(own.sign < other.sign), reason))
 }
 
 fn by_priority(

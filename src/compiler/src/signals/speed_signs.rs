@@ -3,12 +3,16 @@
 //! What leaves a lane follows from what enters it and from its own signs; what enters it, from all lanes that lead to it. That is
 //! solved over the lanes until nothing changes. A ring that nobody enters keeps what its own signs say: unknown states agree with all.
 
+use crate::findings::finding;
+use crate::resolve::Resolved;
 use crate::sample::view;
 use mapd_archive::{NONE, Rows, SpeedSignsAtEntryRow};
 use mapd_query::compiling::ByRow as _;
 use mapd_query::compiling::{SpeedSigns, Zone, is_of_speed};
 use mapd_query::{Lane, Map};
-use std::collections::VecDeque;
+use mapd_rules::catalog::building;
+use mapd_xodr::{Finding, Severity};
+use std::collections::{BTreeMap, VecDeque};
 
 /// What holds at a place, by rows of signals.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -47,18 +51,34 @@ impl State {
     }
 }
 
-/// Fills `speed_signs_at_entry`.
-pub(super) fn build(rows: &mut Rows) {
-    let found: Vec<SpeedSignsAtEntryRow> = {
+/// Fills `speed_signs_at_entry`. A zone that leads on, without a sign that ends it, to where traffic comes in that is not in it, is a finding.
+pub(super) fn build(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
+    let (found, endless) = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
-        let mut found = solve(map, rows.lanes.len());
+        let (mut found, endless) = solve(map, rows.lanes.len());
         if found.is_empty() && !rows.signal_lanes.is_empty() {
             found.push(row(0, &State::NONE));
         }
-        found
+        let key = |lane: u32| map.lane_by_row(lane).map(|lane| lane.key().to_string());
+        let named = endless.into_iter().filter_map(|(sign, lane)| Some((sign, key(lane)?)));
+        (found, named.collect::<Vec<_>>())
     };
     rows.speed_signs_at_entry = found.into();
+    let told = endless.into_iter().filter_map(|(sign, lane)| {
+        let place = resolved.places.iter().find(|place| place.signal == sign)?;
+        Some(finding(
+            &building::ZONE_END,
+            Severity::Warning,
+            place.span,
+            "OpenDRIVE/road/signals".to_owned(),
+            format!(
+                "the zone does not end before lane {lane}, where traffic comes in that is not in it"
+            ),
+            "end the zone with a sign on each way out of it",
+        ))
+    });
+    told.collect()
 }
 
 fn row(lane: u32, state: &State) -> SpeedSignsAtEntryRow {
@@ -76,7 +96,8 @@ fn row(lane: u32, state: &State) -> SpeedSignsAtEntryRow {
     }
 }
 
-fn solve(map: Map<'_>, lanes: usize) -> Vec<SpeedSignsAtEntryRow> {
+/// What holds where lanes are entered, and rows of zones' signs with the first lane that they lead to without an end.
+fn solve(map: Map<'_>, lanes: usize) -> (Vec<SpeedSignsAtEntryRow>, BTreeMap<u32, u32>) {
     let (mut entry, mut exit): (Vec<Option<State>>, Vec<Option<State>>) =
         (vec![None; lanes], vec![None; lanes]);
     // Only what lies behind a sign can hold anything: the rest is never looked at.
@@ -99,8 +120,21 @@ fn solve(map: Map<'_>, lanes: usize) -> Vec<SpeedSignsAtEntryRow> {
         exit[own] = Some(at_exit);
         open.extend(lane.successors().map(|next| next.row()));
     }
+    let mut endless = BTreeMap::new();
+    for (number, state) in (0u32..).zip(&entry) {
+        if state.is_none_or(|state| state.zone != ZoneState::Depends) {
+            continue;
+        }
+        for before in map.lane_by_row(number).into_iter().flat_map(|lane| lane.predecessors()) {
+            if let Some(State { zone: ZoneState::Of(sign), .. }) = exit[before.row() as usize] {
+                endless.entry(sign).or_insert(number);
+            }
+        }
+    }
     let held = (0u32..).zip(&entry).filter_map(|(lane, state)| Some((lane, state.as_ref()?)));
-    held.filter(|(_, state)| **state != State::NONE).map(|(lane, state)| row(lane, state)).collect()
+    let held =
+        held.filter(|(_, state)| **state != State::NONE).map(|(lane, state)| row(lane, state));
+    (held.collect(), endless)
 }
 
 /// Marks a lane and all that it leads to.

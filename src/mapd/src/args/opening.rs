@@ -8,8 +8,12 @@ use crate::trust::{NotSignable, signable};
 use anyhow::Result;
 use clap::{Args, ValueEnum};
 use mapd_client::{Attach, Client, Domain, Snapshot, TrustedKey};
+use mapd_compiler::Compilation;
 use std::path::Path;
 use std::time::Duration;
+
+/// A map, and of an OpenDRIVE file what was found in it.
+type Found = (Snapshot, Option<Box<Compilation>>);
 
 /// How a SOURCE is opened.
 #[derive(Args)]
@@ -74,10 +78,21 @@ impl Opening {
         self.open_showing(source, Manner::Bar)
     }
 
+    /// As [`Opening::open`]; of an OpenDRIVE file also what was found in it.
+    ///
+    /// Errors: as [`Opening::open`].
+    pub(crate) fn open_with_findings(&self, source: &str) -> Result<Option<Found>> {
+        self.found(source, Manner::Bar)
+    }
+
     /// As [`Opening::open`], and says how far compiling is.
     ///
     /// Errors: as [`Opening::open`].
     pub(crate) fn open_showing(&self, source: &str, manner: Manner) -> Result<Option<Snapshot>> {
+        Ok(self.found(source, manner)?.map(|(snapshot, _)| snapshot))
+    }
+
+    fn found(&self, source: &str, manner: Manner) -> Result<Option<Found>> {
         let (domain, wait) = self.live.get()?;
         let reading = self.ontology.for_source(source::is_compiled(source))?;
         let options = self.frame.source(source)?;
@@ -132,13 +147,13 @@ fn open_or_report(
     key: Option<TrustedKey>,
     live: Attaching<'_>,
     manner: Manner,
-) -> Result<Option<Snapshot>> {
+) -> Result<Option<Found>> {
     if let Some(key) = key {
         if source.starts_with(SHARED) {
             return Err(NotSignable::Live { name: source.to_owned() }.into());
         }
         signable(Path::new(source))?;
-        return Ok(Some(Snapshot::open_trusted(source, &key)?));
+        return Ok(Some((Snapshot::open_trusted(source, &key)?, None)));
     }
     if !source::is_compiled(source) {
         ThreadsArg::default().start(None)?;
@@ -147,7 +162,7 @@ fn open_or_report(
     let opened = source::open(source, compiling, live, &mut |p| bar.show(p))?;
     bar.finish();
     Ok(match opened {
-        Opened::Map(snapshot) => Some(snapshot),
+        Opened::Map(snapshot, compiled) => Some((snapshot, compiled)),
         Opened::Rejected(compiled) => {
             report::print(source, &compiled);
             None

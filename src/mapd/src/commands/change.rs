@@ -2,7 +2,7 @@
 
 use crate::args::DomainArgs;
 use crate::args::Seconds;
-use crate::control::{ReloadResult, Request, Response, ask};
+use crate::control::{AskError, ReloadResult, Request, Response, ask};
 use crate::daemon::sentence;
 use crate::exit::Exit;
 use anyhow::{Result, bail};
@@ -81,7 +81,7 @@ impl ChangeArgs {
                 Ok(if report.result == ReloadResult::Failed { Exit::Rejected } else { Exit::Done })
             }
             Response::Refused { reason } => bail!("map {:?}: {reason}", self.name),
-            _ => bail!("map {:?}: the daemon answers something else", self.name),
+            _ => bail!(AskError::Unexpected { map: self.name.clone() }),
         }
     }
 }

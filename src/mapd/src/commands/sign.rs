@@ -1,7 +1,7 @@
 //! `mapd sign`: signatures in minisign's format, beside the file.
 
 use super::overlay::read_document;
-use crate::exit::Exit;
+use crate::exit::{Exit, UsageError};
 use crate::source::is_archive;
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -60,6 +60,9 @@ struct Signed {
 ///
 /// Errors: the key cannot be had; a file cannot be read or does not prove; its signature cannot be written.
 fn sign(args: &SignCommand, out: &mut dyn Write) -> Result<()> {
+    if args.files.iter().any(|file| file == Path::new("-")) {
+        bail!(UsageError("stdin cannot be signed: a signature lies beside a file".into()));
+    }
     let key = secret_key(&args.key)?;
     let mut signed = Vec::new();
     for path in &args.files {

@@ -108,7 +108,7 @@ pub(crate) struct StatusCommand {
     /// Print JSON: also sources, counts, memory, staged generation, result of the last reload
     #[arg(long)]
     json: bool,
-    /// End with 1 unless maps are served, their daemons answer, and no map failed its last query of its own: for health checks
+    /// Health check: exit with 1 if no map is served, a daemon does not answer, or a map failed its last self-query
     #[arg(long)]
     healthy: bool,
     #[command(flatten)]

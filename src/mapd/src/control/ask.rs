@@ -36,6 +36,14 @@ pub enum AskError {
         /// The map.
         map: String,
     },
+    /// The answer is one to another question.
+    #[error(
+        "map {map:?}: the daemon sent an unexpected answer; are daemon and command of the same release?"
+    )]
+    Unexpected {
+        /// The map.
+        map: String,
+    },
     /// The socket cannot be used, or the answer not be understood.
     #[error("map {map:?}: request to the daemon: {error}")]
     Io {

@@ -140,7 +140,10 @@ impl<F: Fn(usize, u32, &[u8]) -> Decision + Send + Sync> Service for Proposals<F
         let decision = match read(stream, LONGEST_PROPOSAL, false) {
             Ok(text) => self.0(socket, user, &text),
             Err(error) if error.kind() == io::ErrorKind::InvalidData => Decision::Refused {
-                reason: format!("expected at most {LONGEST_PROPOSAL} bytes, and soon"),
+                reason: format!(
+                    "expected at most {LONGEST_PROPOSAL} bytes within {} s",
+                    PATIENCE.as_secs()
+                ),
             },
             Err(error) => return Err(error),
         };

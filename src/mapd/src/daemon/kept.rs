@@ -1,7 +1,8 @@
 //! What is laid over a map as it outlives the daemon: a file of entries, and of signed documents where only those are taken.
 //!
 //! Signed entries are not in the file themselves: they are read again from their document, whose signature is proved again. Whoever changes the
-//! file can take them away, as the daemon's user can anyway, but not add or alter one.
+//! file can take them away or bring back what was signed once, as the daemon's user can anyway, but not make or alter one. Proposals are not signed:
+//! who changes the file of a daemon that takes them can add one.
 
 use crate::trust::NotSignable;
 use anyhow::{Result, bail};
@@ -130,12 +131,13 @@ impl Kept {
     }
 
     /// The text of the file.
-    pub(super) fn text(&self) -> String {
+    ///
+    /// Errors: it cannot be written as JSON.
+    pub(super) fn text(&self) -> Result<String> {
         let from: BTreeSet<&str> =
             self.signed.iter().flat_map(|one| one.ids.iter().map(String::as_str)).collect();
         let is_unsigned = |entry: &&Entry| !from.contains(entry.id.as_str());
         let entries = self.document.entries.iter().filter(is_unsigned).cloned().collect();
-        // Nothing in it cannot be written.
-        serde_json::to_string(&State { entries, signed: self.signed.clone() }).unwrap_or_default()
+        Ok(serde_json::to_string(&State { entries, signed: self.signed.clone() })?)
     }
 }

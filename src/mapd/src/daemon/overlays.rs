@@ -294,8 +294,8 @@ impl Maps {
         }
         next.unplaced = unplaced;
         let Some(before) = self.overlays.maps.get(map).cloned() else { bail!("nothing is served") };
-        let (state, longest) = (next.text(), self.overlays.longest_state());
-        if state.len() as u64 > longest {
+        let (state, longest) = (next.text()?, self.overlays.longest_state());
+        if self.overlays.file(map).is_some() && state.len() as u64 > longest {
             let length = state.len();
             return Ok(Some(format!(
                 "all entries would take {length} bytes with what is laid over the map already; at most {longest} are kept, {STATE_PER_BYTE} times --overlay-bytes"
@@ -304,7 +304,7 @@ impl Maps {
         self.overlays.save(map, &state)?;
         if let Err(error) = self.server.lay(map, overlay.as_ref()) {
             // What readers see is what is kept.
-            self.overlays.save(map, &before.text())?;
+            self.overlays.save(map, &before.text()?)?;
             return Err(error.into());
         }
         self.overlays.desk.note(map, &next.document);

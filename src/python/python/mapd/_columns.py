@@ -128,6 +128,8 @@ class _Positions(Columns):
     z: Numbers
     heading: Numbers
     clamped: Codes
+    offset_of_reference_line: Numbers
+    heading_of_reference_line: Numbers
 
 
 class NearestLanes(_Positions):
@@ -247,6 +249,65 @@ class Waypoints(Columns):
     z: Numbers
     heading: Numbers
     width: Numbers
+
+
+class BoundarySegments(Columns):
+    """Pieces of lanes' outer borders, by their lanes; lane 0 for the line between left and right lanes. s of both ends [m], ascending, and both ends, inertial [m]."""
+
+    __slots__ = ()
+    lane: Ids
+    s_from: Numbers
+    s_to: Numbers
+    x_from: Numbers
+    y_from: Numbers
+    z_from: Numbers
+    x_to: Numbers
+    y_to: Numbers
+    z_to: Numbers
+
+
+class RoadMarkSegments(BoundarySegments):
+    """Pieces of borders that carry a road mark; ``kind`` and ``color`` are codes (:data:`mapd.MARK_KINDS`, :data:`mapd.MARK_COLORS`), ``width`` the mark's [m]."""
+
+    __slots__ = ()
+    kind: Codes
+    color: Codes
+    width: Numbers
+
+
+class LaneNodes(Columns):
+    """Nodes of the lane graph: lanes, or pieces of them, travelled in one direction, with s where they begin and end in that direction [m].
+
+    ``length`` is the centre line's [m], ``travel_time`` that at the speed limits [s]. ``left`` and ``right`` are the rows of nodes beside them that are travelled the
+    same way, -1 where there is none, and ``change_left`` and ``change_right`` say whether road marks allow a change of lane there. ``component`` is the strongly
+    connected component; no edge leads from a higher number to a lower one.
+    """
+
+    __slots__ = ()
+    lane: Ids
+    forward: Flags
+    s_from: Numbers
+    s_to: Numbers
+    length: Numbers
+    travel_time: Numbers
+    left: Counts
+    right: Counts
+    change_left: Flags
+    change_right: Flags
+    component: Counts
+
+
+class LaneEdges(Columns):
+    """Edges of the lane graph, by the rows of the nodes from which and into which they lead; ``kind`` is a code of ``mapd.WORDS["edge_kind"]``.
+
+    Without those that close a loop the graph has no cycle.
+    """
+
+    __slots__ = ()
+    start: Counts
+    end: Counts
+    kind: Codes
+    closes_loop: Flags
 
 
 class Reached(Columns):

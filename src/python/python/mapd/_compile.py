@@ -122,14 +122,17 @@ def check(
     return report
 
 
-def open(path: str | os.PathLike[str]) -> Map:
+def open(path: str | os.PathLike[str], *, key: str | os.PathLike[str] | None = None) -> Map:
     """Opens a ``.mapd`` archive in place, or compiles any other file in memory as :func:`compile` does by default.
+
+    With `key`, a file with a public key (docs/operation.md), only an archive that was signed with its secret key, whose signature lies beside it.
 
     Raises:
         FileError: the file cannot be read.
         ArchiveError: it is no archive that this release reads.
+        NotTrustedError: it was not signed with the key, or has been altered since.
         RejectedError: no map can be built from it.
     """
-    if Path(path).suffix == ".mapd":
-        return _mapd.open_archive(path)
+    if key is not None or Path(path).suffix == ".mapd":
+        return _mapd.open_archive(path, key)
     return compile(path).map

@@ -68,6 +68,10 @@ class ArchiveError(MapdError):
     """The bytes are not an archive that this release can read, or the archive failed verification."""
 
 
+class NotTrustedError(MapdError, PermissionError):
+    """The archive was not signed with the key."""
+
+
 class FileError(MapdError, OSError):
     """A file cannot be read; ``errno`` and ``filename`` say more."""
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ._columns import (
     Approaches,
+    BoundarySegments,
     Corridor,
     CorridorSurface,
     Geodetics,
@@ -28,6 +29,7 @@ from ._columns import (
     Poses,
     Reached,
     Restrictions,
+    RoadMarkSegments,
     SpeedRules,
     SpeedsToday,
     Stances,
@@ -37,20 +39,32 @@ from ._columns import (
     Waypoints,
 )
 from ._results import (
+    Annotation,
     Connection,
+    Controller,
     Decision,
     Event,
     Ground,
+    JunctionGroup,
     Landmark,
     LandmarkInView,
+    LaneChangeAhead,
+    LaneConflict,
+    LaneGraph,
     LaneLine,
     LanePosition,
     LaneSequences,
+    LaneSignal,
+    LineAhead,
     Lines,
     Material,
     NearMark,
     Nearest,
+    ObjectLane,
+    ObjectReference,
     OverlayEntry,
+    OvertakingRule,
+    OvertakingToday,
     PathConflict,
     PathCrossing,
     PathFact,
@@ -59,9 +73,12 @@ from ._results import (
     PathPosition,
     PathRestriction,
     PathSpeed,
+    PathTime,
     Permission,
+    Placement,
     Pose,
     PoseMatch,
+    QuarantinedPart,
     Reach,
     Rebased,
     Report,
@@ -72,12 +89,15 @@ from ._results import (
     RouteEnd,
     RouteStep,
     SignalAhead,
+    SignalLink,
     SpeedRule,
     SpeedToday,
     Stance,
+    Structure,
     Surface,
     TrackPosition,
     Tracked,
+    Waypoint,
 )
 
 _Point = tuple[float, float] | tuple[float, float, float]
@@ -112,6 +132,7 @@ __all__ = [
     "SPEED_ORIGINS",
     "EDGES",
     "TRACKED",
+    "WORDS",
     "__version__",
 ]
 
@@ -132,6 +153,9 @@ EDGES: list[str]
 TRACKED: list[str]
 """Words of what a tracker says, in the order of the codes in columns."""
 
+WORDS: dict[str, dict[int, str]]
+"""Words by their codes, of every vocabulary of which tables have codes and answers words, such as "class", "relation" and "edge_kind"."""
+
 def propose(map: str, source: str, entry: str | Mapping[str, object], *, timeout: float = 1.0, prefix: str | None = None) -> Decision:
     """Proposes an entry of an overlay to the daemon that serves a map, and waits for its decision (docs/overlay.md).
 
@@ -140,8 +164,8 @@ def propose(map: str, source: str, entry: str | Mapping[str, object], *, timeout
     `ProposalRefusedError`, with the daemon's reason.
     """
 
-def open_archive(path: str | os.PathLike[str]) -> Map:
-    """Opens an archive in place; what `mapd.open` calls."""
+def open_archive(path: str | os.PathLike[str], key: str | os.PathLike[str] | None = None) -> Map:
+    """Opens an archive in place, if it was signed with a key where one is given; what `mapd.open` calls."""
 
 def read_file(
     path: str | os.PathLike[str],
@@ -591,6 +615,60 @@ class Map:
         self, start: _Place, distance: float, *, vehicle: str = "passengerCar"
     ) -> list[SignalAhead]:
         """Signals for traffic that goes on without a change of lane, up to a distance [m]."""
+    def landmarks_in(self, region: _Region) -> list[Landmark]:
+        """As landmarks_near, of those in a rectangle (x_min, y_min, x_max, y_max) [m]: signals first, then objects, and no distance."""
+    def boundary_segments(self, region: _Region, *, types: _Types | None = None) -> BoundarySegments:
+        """Pieces of the borders of lanes in a rectangle (x_min, y_min, x_max, y_max) [m], by their lanes."""
+    def road_mark_segments(self, region: _Region, *, types: _Types | None = None) -> RoadMarkSegments:
+        """As boundary_segments, where they carry road marks: cut where one mark ends and another begins."""
+    def placements_near(self, point: tuple[float, float], radius: float) -> list[tuple[Placement, float]]:
+        """As objects_near, with the place of each instead of the object."""
+    def placements_in(self, region: _Region) -> list[Placement]:
+        """As objects_in, with the place of each instead of the object."""
+    def lane_graph(self) -> LaneGraph:
+        """The graph that routes are searched on: lanes, or pieces of them, travelled in one direction, and how one goes on from each."""
+    def controllers(self) -> list[Controller]:
+        """All controllers of signals, in file order."""
+    def junction_groups(self) -> list[JunctionGroup]:
+        """All groups of junctions, such as roundabouts, in file order."""
+    def structures(self) -> list[Structure]:
+        """All bridges and tunnels, by road."""
+    def object_references(self) -> list[ObjectReference]:
+        """All references of roads to objects of other roads, by the road that refers."""
+    def quarantined(self) -> list[QuarantinedPart]:
+        """Parts of the file that are not in the map as written, in file order; none where it was accepted whole."""
+    def left_out(self, kind: str, id: str) -> QuarantinedPart | None:
+        """Why the map has no part of this kind ("road", "junction", "object", "signal", ...) and id; None where the file has no such part either."""
+    def annotations(self) -> list[Annotation]:
+        """What the file says besides, such as user data: the document's first, then those of roads, lanes, junctions and so on."""
+    @property
+    def geodetic_bounds(self) -> tuple[float, float, float, float] | None:
+        """South, north, west and east [deg] as the file's header writes them; None where it does not."""
+    def steps_of_lanes(self, lanes: Sequence[_LaneRef], s_from: float, s_to: float) -> tuple[RouteStep, ...]:
+        """The steps over lanes that follow each other, such as those of a sequence, from s on the first to s on the last [m], each moved to its lane's nearer end.
+
+        Each lane is driven in its own direction; one for both directions in the one that links ask for, and alone in the one from s to s. PathError names the
+        lane that does not follow.
+        """
+    def lines_along(self, steps: Route | Iterable[RouteStep]) -> list[LineAhead]:
+        """Lines to stop or give way at, crosswalks and bicycle crossings along a route, nearest first; one over several lanes stands once for each that is driven on."""
+    def signals_along(self, steps: Route | Iterable[RouteStep]) -> list[SignalAhead]:
+        """Signals for traffic along a route, nearest first."""
+    def next_lane_change(self, steps: Route | Iterable[RouteStep], at: int, place: _Place) -> LaneChangeAhead | None:
+        """The next change of lane on a route, seen from a place on its step number `at`; None if it needs no more."""
+    def lane_sequences_behind(self, goal: _Place, distance: float, *, vehicle: str = "passengerCar") -> LaneSequences:
+        """As lane_sequences_ahead, of ways that lead to a place: each sequence begins with its lane and goes back against driving direction."""
+    def nearest_lane_geodetic(
+        self,
+        place: _Point,
+        *,
+        radius: float = 10.0,
+        types: _Types | None = None,
+        z_tolerance: float | None = None,
+        heading: float | None = None,
+        heading_tolerance: float | None = None,
+    ) -> Nearest | None:
+        """As nearest_lane, from latitude, longitude [deg] and, if given, altitude [m] on WGS 84."""
     def _repr_html_(self) -> str: ...
     def _bytes(self) -> NDArray[np.uint8]: ...
     def _tables(self) -> list[tuple[int, int, int, int, int]]: ...
@@ -643,6 +721,8 @@ class Lane:
         """Width at s [m]."""
     def speed_rule_at(self, s: float) -> SpeedRule:
         """Speed limit at s, signs included, and who says so."""
+    def overtaking_rule_at(self, s: float) -> OvertakingRule:
+        """The signs that forbid overtaking at s [m]."""
     def allows_at(self, s: float, vehicle: str = "passengerCar") -> bool:
         """Whether a class of vehicles may use it at s."""
     @property
@@ -700,6 +780,22 @@ class Lane:
         """Right border (M, 3) in ascending s [m]."""
     def waypoints(self, step: float) -> Waypoints:
         """Places on the centre line in driving direction, `step` [m] of s apart."""
+    def waypoint_at(self, s: float) -> Waypoint:
+        """The centre line's exact place at s [m], with its own direction; s outside the lane's section is moved to its nearer end and flagged."""
+    def pose_of_reference_line(self, s: float, offset: float = 0.0) -> Pose:
+        """As pose_at, as the reference line has it: ahead is towards +s, and `offset` [m] is to the left of that."""
+    def speed_limit_at(self, s: float) -> float | None:
+        """The limit [m/s] that lane and road write at s [m], without signs; infinite where there is none, None where nothing is written."""
+    def time_between(self, s_from: float, s_to: float) -> float:
+        """How long a car takes from one place to another [m] at the speed limits [s]."""
+    def conflicts(self) -> list[LaneConflict]:
+        """Where its area meets those of other lanes of its junction."""
+    def node_at(self, s: float, forward: bool | None = None) -> int | None:
+        """The row among the nodes of Map.lane_graph that holds s [m], towards +s or not; of the lane's own direction where that is not said. None where it is not travelled so."""
+    def objects_on(self) -> list[ObjectLane]:
+        """As objects, with where each is on the lane."""
+    def movement_lights_on(self) -> list[LaneSignal]:
+        """As movement_lights, with the lane before the junction on which each counts."""
     def _repr_html_(self) -> str: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -723,8 +819,8 @@ class Road:
     @property
     def junction(self) -> str | None:
         """Id of the junction that it is a connecting road of."""
-    def lanes(self) -> list[Lane]:
-        """Lanes of all sections, by s and from left to right."""
+    def lanes(self, *, center: bool = False) -> list[Lane]:
+        """Lanes of all sections, by s and from left to right; with `center` also lane 0 of each, which has no area."""
     def elevation_at(self, s: float) -> float:
         """Elevation of the reference line at s [m]."""
     def superelevation_at(self, s: float) -> float:
@@ -745,6 +841,7 @@ class Road:
     @overload
     def to_track(self, points: _Points, *, out: Tracks | None = None) -> Tracks:
         """Feet of points on the reference line."""
+    def _repr_html_(self) -> str: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
 
@@ -762,6 +859,7 @@ class Junction:
         """Connections in file order."""
     def controllers(self) -> list[str]:
         """Ids of the controllers of its lights."""
+    def _repr_html_(self) -> str: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
 
@@ -805,6 +903,15 @@ class Signal:
     @property
     def track(self) -> tuple[float, float]:
         """s and t as written [m]."""
+    def links(self) -> list[SignalLink]:
+        """Objects and signals that belong to it, such as the pole that it hangs from."""
+    def dependencies(self) -> list[SignalLink]:
+        """Signals that it controls or depends on."""
+    def movements(self) -> list[Lane]:
+        """Lanes of junctions whose movements it governs, where it is a light."""
+    def controllers(self) -> list[Controller]:
+        """Its controllers."""
+    def _repr_html_(self) -> str: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
 
@@ -847,6 +954,10 @@ class Object:
         """s and t as written [m]."""
     def footprint(self) -> NDArray[np.float64]:
         """Corners (M, 3) of what it covers [m]."""
+    def placements(self) -> list[Placement]:
+        """Where it stands: itself, or each of its copies."""
+    def lanes(self) -> list[ObjectLane]:
+        """Lanes that it is on or belongs to."""
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
 
@@ -898,9 +1009,11 @@ class Path:
     ) -> CorridorSurface:
         """The road's surface at the stations that corridor has for the same numbers [m]."""
     def facts(self) -> list[PathFact]:
-        """What it comes by, in ascending S: junctions, signals, lines, types of roads and lanes, bridges, tunnels, holes of the map."""
+        """What it comes by, in ascending S: junctions, signals, lines, types of roads and lanes, countries, access, bridges, tunnels, holes."""
     def speeds(self) -> list[PathSpeed]:
         """The speed limits along it, in ascending S without gaps."""
+    def travel_time(self, start: float = 0.0, end: float | None = None) -> PathTime:
+        """How long a vehicle takes from one S to another [m] at the speed limits."""
     def segments(self, *, vehicle: str = "passengerCar") -> PathSegments:
         """From which lanes its goal is reached along the same roads, and until where a change of lane may wait."""
     def crossings(self) -> list[PathCrossing]:
@@ -919,6 +1032,7 @@ class Path:
         factors: NDArray[np.float64] | None = None,
     ) -> Rebased:
         """Its way on another map, such as the next version of its own, and what has changed."""
+    def _repr_html_(self) -> str: ...
 
 @final
 class View:
@@ -966,6 +1080,8 @@ class View:
         out: SpeedsToday | None = None,
     ) -> SpeedsToday:
         """The speed limit at a place, or of many lanes, by their ids, each at its s [m]: the lowest that an entry states, else the map's."""
+    def overtaking_rule_at(self, place: _Place, *, vehicle: str = "passengerCar") -> OvertakingToday:
+        """Whether a class of vehicles may overtake at a place: what signs forbid, and entries. What road marks forbid is with the lane graph's lane changes."""
     @overload
     def speed_on_path(self, path: Path, along: float, *, vehicle: str = "passengerCar") -> SpeedToday: ...
     @overload

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
@@ -11,8 +12,8 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     import geopandas
 
-    from ._columns import Reached, ReachLinks
-    from ._mapd import Lane, Map, Object, Road, Signal
+    from ._columns import LaneEdges, LaneNodes, Reached, ReachLinks
+    from ._mapd import Junction, Lane, Map, Object, Road, Signal
 
 
 class Nearest(NamedTuple):
@@ -32,6 +33,12 @@ class Nearest(NamedTuple):
     """Height of the plane h = 0 at (s, t) [m]."""
     heading: float
     """The way the lane's traffic goes at s [rad], in (-pi, pi]."""
+    clamped: int = 0
+    """-1 or 1 where the point lies before or after the lane's section in the direction of s, which has no foot for it; else 0."""
+    offset_of_reference_line: float = math.nan
+    """From the lane's centre [m], positive to the left of the reference line."""
+    heading_of_reference_line: float = math.nan
+    """Of the reference line at s [rad], in (-pi, pi]."""
 
 
 class LanePosition(NamedTuple):
@@ -45,6 +52,8 @@ class LanePosition(NamedTuple):
     heading: float
     clamped: int
     """-1 or 1 where the point lies before or after the lane's section in the direction of s, which has no foot for it; else 0."""
+    offset_of_reference_line: float = math.nan
+    heading_of_reference_line: float = math.nan
 
 
 class Pose(NamedTuple):
@@ -208,6 +217,9 @@ class LaneMatch(NamedTuple):
     distance: float
     z: float
     heading: float
+    clamped: int = 0
+    offset_of_reference_line: float = math.nan
+    heading_of_reference_line: float = math.nan
     """The place with respect to the lane is as of :class:`Nearest`."""
 
 
@@ -228,6 +240,15 @@ class SpeedRule(NamedTuple):
     """The source of the limit."""
     signal: Signal | None
     """The sign, if a sign states the limit."""
+
+
+class OvertakingRule(NamedTuple):
+    """Which signs forbid overtaking at a place. A sign holds from its place on, in driving direction, until another one ends it, and not beyond a junction."""
+
+    all: Signal | None
+    """The sign that forbids it to all motor vehicles."""
+    trucks: Signal | None
+    """The sign that forbids it to trucks."""
 
 
 class RouteStep(NamedTuple):
@@ -265,6 +286,203 @@ class Route:
 
     def __repr__(self) -> str:
         return f"<mapd.Route {self.length:.1f} m, {self.travel_time:.1f} s, {self.lane_changes} lane changes, {len(self.steps)} lanes>"
+
+    def _repr_html_(self) -> str:
+        from ._pictures import route_html
+
+        return route_html(self)
+
+
+class Waypoint(NamedTuple):
+    """A place on a lane's centre line."""
+
+    s: float
+    """On the road [m]."""
+    x: float
+    y: float
+    z: float
+    heading: float
+    """Of the centre line in driving direction [rad], in (-pi, pi]."""
+    width: float
+    """Of the lane [m]."""
+    clamped: int
+    """-1 or 1 where s lay before or after the lane's section and was moved to its nearer end; else 0."""
+
+
+class LaneConflict(NamedTuple):
+    """A place where the area of another lane of the same junction meets a lane's."""
+
+    other: Lane | None
+    kind: str
+    relation: str
+    """Who goes first; as of :class:`RightOfWay`."""
+    reason: str
+    s_from: float
+    s_to: float
+    """The common place on the lane's road [m], the smaller s first."""
+    other_from: float
+    other_to: float
+    """The common place on the other lane's road [m]."""
+
+
+class LaneGraph(NamedTuple):
+    """The lane graph."""
+
+    nodes: LaneNodes
+    edges: LaneEdges
+
+
+class LaneSignal(NamedTuple):
+    """A signal on a lane on which it counts."""
+
+    signal: Signal
+    lane: Lane
+    s: float
+    """On the lane's road [m], within its section."""
+    distance: float
+    """Of the signal from the lane's area [m]."""
+
+
+class ObjectLane(NamedTuple):
+    """An object on a lane that it is on or belongs to."""
+
+    object: Object
+    lane: Lane
+    s_from: float
+    s_to: float
+    """Where it is on the lane's road [m]."""
+    distance: float
+    """From the lane's area [m]; 0 on it."""
+
+
+class Placement(NamedTuple):
+    """A place of an object."""
+
+    object: Object
+    copy: int | None
+    """Which of the object's copies; None for the object itself."""
+    x: float
+    y: float
+    z: float
+    """Its origin [m]."""
+    heading: float
+    pitch: float
+    roll: float
+    """[rad], inertial."""
+    length: float
+    width: float
+    height: float
+    radius: float
+    """[m]; 0 where not given."""
+    footprint: NDArray[np.float64]
+    """Corners (M, 3) of what it covers [m]."""
+
+
+class SignalLink(NamedTuple):
+    """A signal or object that a signal names."""
+
+    id: str
+    """As written."""
+    kind: str
+    """Its type as written."""
+    is_object: bool
+    signal: Signal | None
+    object: Object | None
+    """What it is, where the map has it."""
+
+
+class Controller(NamedTuple):
+    """A controller of signals."""
+
+    number: int
+    """Its place among the map's controllers, from 0."""
+    id: str
+    name: str
+    sequence: int | None
+    signals: tuple[Signal, ...]
+    junctions: tuple[Junction, ...]
+
+
+class JunctionGroup(NamedTuple):
+    """Junctions that belong together, such as those of a roundabout."""
+
+    id: str
+    name: str
+    kind: str
+    junctions: tuple[Junction, ...]
+    """Those that the map has."""
+    ring: tuple[Lane, ...]
+    """Of a roundabout the lanes around it."""
+
+
+class Structure(NamedTuple):
+    """A bridge or tunnel."""
+
+    kind: str
+    id: str
+    name: str
+    type: str
+    """As written."""
+    road: Road | None
+    s_from: float
+    s_to: float
+    """On its road [m]."""
+
+
+class ObjectReference(NamedTuple):
+    """What a road says of an object of another road."""
+
+    id: str
+    """The object's, as written."""
+    object: Object | None
+    road: Road | None
+    """The road that refers to it."""
+    s: float
+    t: float
+    """On that road [m]."""
+    z_offset: float
+    """Above its reference line [m]."""
+    valid_length: float
+    """[m]"""
+    orientation: str
+
+
+class Annotation(NamedTuple):
+    """Something that the file says besides, such as user data."""
+
+    kind: str
+    owner_kind: str
+    """What it belongs to."""
+    owner: Road | Lane | Junction | Object | Signal | None
+    """None for the document, and for parts that have no class here."""
+    path: str
+    """Where it stands below the owner; empty for the owner itself."""
+    name: str
+    value: str
+    text: str
+    file: str
+    """The included file that it stands in; empty for the document itself."""
+    line: int
+    column: int
+
+
+class LineAhead(NamedTuple):
+    """A line that a route passes."""
+
+    line: LaneLine
+    distance: float
+    """Along centre lines from the route's start [m]."""
+
+
+class LaneChangeAhead(NamedTuple):
+    """The next change of lane on a route."""
+
+    step: int
+    """Number of the step that is entered by it."""
+    side: Literal["left", "right"]
+    start: float
+    end: float
+    """Distance to the first and the last place where it may happen [m]."""
 
 
 class PathPoint(NamedTuple):
@@ -392,9 +610,10 @@ class PathFact(NamedTuple):
     """S of its end [m]; that of its beginning for what has a place alone."""
     lane: Lane
     """The driven lane at its beginning."""
-    kind: Literal["junction", "signal", "line", "road_type", "lane_type", "structure", "hole", "other"]
+    kind: Literal["junction", "signal", "line", "road_type", "lane_type", "country", "access", "structure", "hole", "other"]
     name: str | None = None
-    """Where the movement through a junction leads ("left", "straight", "right", "back"), what a line means, a type in OpenDRIVE's words."""
+    """Where the movement through a junction leads ("left", "straight", "right", "back"), what a line means, a type in OpenDRIVE's words, a country as the file
+    writes it."""
     junction: str | None = None
     """OpenDRIVE's id."""
     signal: Signal | None = None
@@ -406,6 +625,8 @@ class PathFact(NamedTuple):
     right: tuple[float, float, float] | None = None
     number: int | None = None
     """Of a bridge, tunnel or hole: its number in the map."""
+    vehicles: tuple[str, ...] | None = None
+    """Of access: classes of vehicles that may use the driven lane in its driven direction."""
 
 
 class PathSpeed(NamedTuple):
@@ -415,6 +636,15 @@ class PathSpeed(NamedTuple):
     end: float
     """S of both ends [m]."""
     rule: SpeedRule
+
+
+class PathTime(NamedTuple):
+    """How long a path or a part of it takes at the speed limits."""
+
+    time: float
+    """Where a limit is known and above 0 [s]."""
+    unlimited: float
+    """Length of the rest, where no limit is known or there is none [m]: its time is the caller's to say."""
 
 
 class PathCrossing(NamedTuple):
@@ -522,6 +752,17 @@ class SpeedToday(NamedTuple):
     """What the map says."""
     restriction: Restriction | None
     """The entry that says otherwise."""
+
+
+class OvertakingToday(NamedTuple):
+    """Whether a class of vehicles may overtake at a place, with what is said of it today."""
+
+    is_forbidden: bool
+    """Whether a sign or an entry forbids it to the class."""
+    map: OvertakingRule
+    """The map's signs."""
+    restriction: Restriction | None
+    """The first entry that forbids it to the class."""
 
 
 class Tracked(NamedTuple):

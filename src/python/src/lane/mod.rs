@@ -1,13 +1,17 @@
 //! Lanes, and many lanes' lines at once.
 
+mod graph;
 mod movement;
 mod shape;
 
-use crate::batch::{Column, clamped_code, columns, fields, pose, result, speed_rule, triples};
+use crate::batch::{
+    Column, columns, fields, overtaking_rule, pose, position_fields, result, speed_rule, triples,
+};
 use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::{one_point, vehicle_of};
 use crate::road::Road;
+pub(crate) use graph::object_lane;
 use mapd_client::compiling::ByRow as _;
 use mapd_client::roads::{LinePoint, Polyline};
 use mapd_client::{LaneTypes, QueryError, Region};
@@ -154,6 +158,12 @@ impl Lane {
         speed_rule(py, &self.held, &rule)
     }
 
+    /// The signs that forbid overtaking at s [m].
+    fn overtaking_rule_at<'py>(&self, py: Python<'py>, s: f64) -> PyResult<Bound<'py, PyAny>> {
+        let rule = self.lane()?.overtaking_rule_at(crate::input::finite(s).map_err(query)?);
+        overtaking_rule(py, &self.held, &rule)
+    }
+
     /// Whether a class of vehicles may use it at s.
     #[pyo3(signature = (s, vehicle = "passengerCar"))]
     fn allows_at(&self, s: f64, vehicle: &str) -> PyResult<bool> {
@@ -175,16 +185,7 @@ impl Lane {
         let point = one_point(point, "point")?
             .ok_or_else(|| PyTypeError::new_err("point: expected a tuple (x, y) or (x, y, z)"))?;
         let at = self.lane()?.position_of(point).map_err(query)?;
-        let fields = fields!(
-            py,
-            s = at.s,
-            t = at.t,
-            offset = at.offset,
-            distance = at.distance,
-            z = at.z,
-            heading = at.heading,
-            clamped = clamped_code(at.clamped),
-        );
+        let fields = position_fields(py, &at)?;
         result(py, "LanePosition", &fields)
     }
 

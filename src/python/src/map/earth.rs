@@ -2,14 +2,48 @@
 
 use super::Map;
 use crate::batch::{Column, columns};
-use crate::errors::raise;
+use crate::errors::{query, raise};
 use crate::input::Rows;
-use mapd_client::geodesy::Geodetic;
+use mapd_client::geodesy::{Geodetic, GeodeticError, GeodeticPoint};
 use mapd_client::glam::DVec3;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 #[pymethods]
 impl Map {
+    /// As nearest_lane, from latitude, longitude [deg] and, if given, altitude [m] on WGS 84.
+    #[pyo3(signature = (place, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
+        heading_tolerance = None))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
+    fn nearest_lane_geodetic<'py>(
+        &self,
+        py: Python<'py>,
+        place: &Bound<'py, PyAny>,
+        radius: f64,
+        types: Option<&Bound<'py, PyAny>>,
+        z_tolerance: Option<f64>,
+        heading: Option<f64>,
+        heading_tolerance: Option<f64>,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let mut options = super::places::options(radius, types, z_tolerance, heading_tolerance)?;
+        options.heading = heading;
+        let numbers = crate::input::one(place, "place", &[2, 3])?
+            .ok_or_else(|| PyTypeError::new_err("place: expected a tuple of 2 or 3 numbers"))?;
+        let at = GeodeticPoint {
+            latitude: numbers[0],
+            longitude: numbers[1],
+            altitude: numbers.get(2).copied(),
+        };
+        let projector = self.map().projector();
+        let projector = projector.map_err(|error| raise("ProjectionError", error.to_string()))?;
+        let hit = self.map().nearest_lane_geodetic(&projector, at, &options);
+        let hit = hit.map_err(|error| match error {
+            GeodeticError::Query(error) => query(error),
+            error => raise("ProjectionError", error.to_string()),
+        })?;
+        hit.map(|hit| self.nearest_result(py, &hit)).transpose()
+    }
+
     /// Latitude and longitude [deg] and altitude [m] on WGS 84.
     fn to_geodetic<'py>(
         &self,

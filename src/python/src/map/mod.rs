@@ -1,8 +1,12 @@
 //! A map: one pinned generation and what is asked of all of it.
 
 mod earth;
+mod graph;
 mod matching;
 mod places;
+mod records;
+mod region;
+mod steps;
 mod surroundings;
 mod ways;
 
@@ -16,9 +20,10 @@ use crate::road::Road;
 use crate::signal::Signal;
 use mapd_client::document::Revision;
 use mapd_client::raw::AlignedBytes;
-use mapd_client::{Bounds, Snapshot};
+use mapd_client::{Bounds, Snapshot, TrustedKey};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+pub(crate) use records::controller;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -40,10 +45,15 @@ impl Map {
     }
 }
 
-/// Opens an archive in place; what `mapd.open` calls.
+/// Opens an archive in place, if it was signed with a key where one is given; what `mapd.open` calls.
 #[pyfunction]
-pub(crate) fn open_archive(py: Python<'_>, path: PathBuf) -> PyResult<Map> {
-    let snapshot = py.detach(|| Snapshot::open(&path)).map_err(client)?;
+#[pyo3(signature = (path, key = None))]
+pub(crate) fn open_archive(py: Python<'_>, path: PathBuf, key: Option<PathBuf>) -> PyResult<Map> {
+    let open = || match key {
+        Some(key) => Snapshot::open_trusted(&path, &TrustedKey::open(key)?),
+        None => Snapshot::open(&path),
+    };
+    let snapshot = py.detach(open).map_err(client)?;
     Ok(Map::of(Arc::new(Held::new(snapshot))))
 }
 

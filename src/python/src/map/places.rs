@@ -1,7 +1,7 @@
 //! Points in the coordinates of lanes, and lanes at points.
 
 use super::Map;
-use crate::batch::{Column, Positions, Speeds, answer, columns, fields, in_row, result};
+use crate::batch::{Column, Positions, Speeds, answer, columns, in_row, position_fields, result};
 use crate::errors::query;
 use crate::held::content;
 use crate::input::{Rows, column, finite, lane_of_id, one_point, places, types_of};
@@ -11,25 +11,19 @@ use mapd_client::{LaneTypes, Nearest, NearestOptions};
 use pyo3::prelude::*;
 
 impl Map {
-    fn nearest_result<'py>(&self, py: Python<'py>, hit: &Nearest) -> PyResult<Bound<'py, PyAny>> {
-        let at = &hit.position;
-        let lane = Lane::new(&self.0, hit.lane.row());
-        let fields = fields!(
-            py,
-            lane = lane,
-            s = at.s,
-            t = at.t,
-            offset = at.offset,
-            distance = at.distance,
-            z = at.z,
-            heading = at.heading,
-        );
+    pub(super) fn nearest_result<'py>(
+        &self,
+        py: Python<'py>,
+        hit: &Nearest,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let fields = position_fields(py, &hit.position)?;
+        fields.set_item("lane", Lane::new(&self.0, hit.lane.row()))?;
         result(py, "Nearest", &fields)
     }
 }
 
 /// What one call asks of all its points, but for the headings.
-fn options(
+pub(super) fn options(
     radius: f64,
     types: Option<&Bound<'_, PyAny>>,
     z_tolerance: Option<f64>,

@@ -3,6 +3,7 @@
 use super::along::center;
 use super::arc::Arc;
 use super::change::{LaneChange, Shift};
+use super::speed::{Way, note_ways};
 use super::{Path, PathBuffer, PathError, PathJoint, PathOptions, Piece, Span};
 use crate::area;
 use crate::error::QueryError;
@@ -90,34 +91,84 @@ impl<'a> Map<'a> {
         let PathBuffer { boxes, spans, slack, .. } = buffer;
         boxes.rebuild(spans);
         *slack = spans.iter().map(|span| span.slack).fold(0.0, f64::max);
+        note_ways(*self, buffer);
         Ok(Path { map: *self, buffer })
     }
 }
 
-/// The steps over lanes that follow each other, as [`LaneSequences`](crate::route::LaneSequences) lists them, from s on the first to s on the last; each in its
-/// own driving direction. `out` is emptied first.
+/// The steps over lanes that follow each other, as [`LaneSequences`](crate::route::LaneSequences) lists them, from s on the first to s on the last `[m]`, each
+/// moved to its lane's nearer end where it lies beyond. Each lane is driven in its own direction; one for both directions in the one that links ask for, and alone
+/// in the one from s to s. `out` is emptied first.
 ///
-/// Errors: ids of another map, an s that is not finite.
+/// Errors: by the step's number, an id of another map, an s that is not finite, a lane that does not follow the one before.
 pub fn steps_of_lanes(
     map: Map<'_>,
     lanes: &[LaneId],
-    [from, to]: [f64; 2],
+    ends: [f64; 2],
     out: &mut Vec<RouteStep>,
-) -> Result<(), QueryError> {
-    out.clear();
-    if !(from.is_finite() && to.is_finite()) {
-        return Err(QueryError::NotFinite);
+) -> Result<(), PathError> {
+    let last = lanes.len().saturating_sub(1);
+    for (step, s) in [0, last].into_iter().zip(ends) {
+        if !s.is_finite() {
+            return Err(PathError::Step { step, source: QueryError::NotFinite });
+        }
     }
-    for (i, id) in lanes.iter().enumerate() {
-        let lane = map.lane(*id)?;
+    let Some(first) = lanes.first() else {
+        out.clear();
+        return Ok(());
+    };
+    let wrong = |source| PathError::Step { step: 0, source };
+    let first = map.lane(*first).map_err(wrong)?;
+    let own = first.is_forward();
+    let begins_back =
+        last == 0 && first.is_bidirectional() && (ends[1] - ends[0]) * sign(own) < 0.0;
+    let begin = own != begins_back;
+    let done = chain(map, lanes, ends, begin, out);
+    if done.is_ok() || last == 0 || !first.is_bidirectional() {
+        return done;
+    }
+    // The other way, if the lanes follow each other there.
+    let length = out.len();
+    match chain(map, lanes, ends, !begin, out) {
+        Ok(()) => Ok(()),
+        Err(farther) if out.len() > length => Err(farther),
+        Err(_) => done,
+    }
+}
+
+/// Steps over lanes of which the first one is driven in a direction, as far as they follow each other.
+fn chain(
+    map: Map<'_>,
+    lanes: &[LaneId],
+    [from, to]: [f64; 2],
+    begin: bool,
+    out: &mut Vec<RouteStep>,
+) -> Result<(), PathError> {
+    out.clear();
+    for (number, id) in lanes.iter().enumerate() {
+        let lane = map.lane(*id).map_err(|source| PathError::Step { step: number, source })?;
         let (low, high) = (lane.section().s_start(), lane.section().s_end());
-        let forward = lane.is_forward();
-        let [begin, end] = if forward { [low, high] } else { [high, low] };
         let inside = |s: f64| mapd_geometry::clamp(s, low, high);
-        let s_from = if i == 0 { inside(from) } else { begin };
-        let s_to = if i + 1 == lanes.len() { inside(to) } else { end };
-        let enter = if i == 0 { Enter::Start } else { Enter::Ahead };
-        out.push(RouteStep { lane: *id, forward, enter, s_from, s_to, s_latest: s_from });
+        let driven = |forward: bool| {
+            let [begin, end] = if forward { [low, high] } else { [high, low] };
+            let (s_from, enter) =
+                if number == 0 { (inside(from), Enter::Start) } else { (begin, Enter::Ahead) };
+            let s_to = if number + 1 == lanes.len() { inside(to) } else { end };
+            RouteStep { lane: *id, forward, enter, s_from, s_to, s_latest: s_from }
+        };
+        let own = lane.is_forward();
+        let step = match out.last() {
+            None => driven(begin),
+            Some(before) => match follows(map, before, &driven(own), number) {
+                Ok(()) => driven(own),
+                Err(error) => {
+                    let other = Some(driven(!own)).filter(|_| lane.is_bidirectional());
+                    let other = other.filter(|step| follows(map, before, step, number).is_ok());
+                    other.ok_or(error)?
+                }
+            },
+        };
+        out.push(step);
     }
     Ok(())
 }
@@ -275,7 +326,8 @@ impl Builder<'_, '_, '_> {
         if end > first {
             let (lane, forward) = (lane.row_number(), step.forward);
             let step = number as u32;
-            self.buffer.pieces.push(Piece { lane, forward, step, spans: [first, end] });
+            let (spans, way) = ([first, end], Way::NONE);
+            self.buffer.pieces.push(Piece { lane, forward, step, spans, way });
         }
     }
 

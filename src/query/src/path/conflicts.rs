@@ -37,7 +37,7 @@ impl Yields {
         }
     }
 
-    fn of(relation: Relation, reason: RelationReason) -> Self {
+    pub(super) fn of(relation: Relation, reason: RelationReason) -> Self {
         match relation {
             _ if Basis::of(reason) == Basis::Rule => Self::Unknown,
             relation => Self::known(relation),
@@ -59,7 +59,8 @@ impl Yields {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathConflict {
-    /// S of the first and last common place `[m]`; too long by up to half a metre at either end.
+    /// S of the first and last common place `[m]`; too long by up to half a metre at either end, outside junctions too short or too long by up to
+    /// two. A merge ends where the path's own lane begins, or the lane beside it ends.
     pub along: [f64; 2],
     /// The other lane.
     pub other: LaneId,
@@ -76,7 +77,8 @@ pub struct PathConflict {
     pub relation: Relation,
     /// Whether both come by equal roads, as far as the file says: of one type, with one speed limit, and no motorway.
     pub equal_roads: bool,
-    /// S at which to wait `[m]`: the line to stop at on the path, else the last place before the common one.
+    /// S at which to wait `[m]`: the line to stop at on the path, outside junctions up to 30 m before, else the last place before the common
+    /// one.
     pub wait: f64,
 }
 
@@ -106,7 +108,8 @@ impl PathConflict {
 impl Path<'_, '_> {
     /// Where other lanes meet the path, in ascending S: those of junctions that the map knows to conflict; lanes that lead into the path's own from
     /// elsewhere, and lanes beside it that end and have to be left for it ([`ConflictKind::Merge`]); and lanes of other roads in whose area the
-    /// driven line lies on the same level ([`ConflictKind::Overlap`], looked for every 2 m). Lanes that the path itself drives on, and lanes that are
+    /// driven line lies on the same level ([`ConflictKind::Overlap`], looked for every 2 m). Outside junctions, stop, give-way and priority signs up to 30 m before say
+    /// who goes first. Lanes that the path itself drives on, and lanes that are
     /// closed to every vehicle outside junctions, are left out. `out` is emptied first; it grows only if its capacity is too small. What people on foot and
     /// bicycles cross on is [`Path::crossings`].
     pub fn conflicts(&self, out: &mut Vec<PathConflict>) {
@@ -135,8 +138,12 @@ impl Path<'_, '_> {
                     wait: line.unwrap_or(along[0]),
                 });
             }
+            let told = out.len();
             self.merges(number, &lane, out);
             self.overlaps(number, &lane, out);
+            for own in out.get_mut(told..).unwrap_or(&mut []) {
+                self.settle(number, own);
+            }
         }
         // Sorting in place allocates nothing.
         out.sort_unstable_by(|a, b| {

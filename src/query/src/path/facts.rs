@@ -4,9 +4,10 @@ use super::{Path, Piece};
 use crate::extents::SRange;
 use crate::ids::{JunctionId, LaneId, SignalId};
 use crate::lane::Lane;
+use crate::map::Map;
 use crate::rules::{LaneLine, LineSource, Turn};
 use glam::DVec3;
-use mapd_archive::{LaneType, RoadType, StructureKind};
+use mapd_archive::{LaneType, RoadType, StructureKind, string};
 
 /// A part of the document that is left out of the map is told where the driven line is this near to its extent `[m]`.
 const HOLE_REACH: f64 = 10.0;
@@ -53,6 +54,16 @@ pub enum PathFactKind {
     RoadType(RoadType),
     /// Type of the driven lane.
     LaneType(LaneType),
+    /// The country whose rules hold, where the file gives one.
+    Country {
+        /// Its number for [`Map::country`].
+        number: u32,
+    },
+    /// Who may use the driven lane in its driven direction.
+    Access {
+        /// A bit for each class of vehicles that may: [`VehicleClass::bit`](mapd_archive::VehicleClass::bit).
+        classes: u16,
+    },
     /// A bridge or tunnel.
     Structure {
         /// Which of the two.
@@ -67,9 +78,17 @@ pub enum PathFactKind {
     },
 }
 
+impl<'a> Map<'a> {
+    /// A country of [`PathFactKind::Country`] or of [`Road::types`](crate::Road::types), as the file writes it: two or three letters, or a name in older
+    /// versions. None for a number that is not one of the map's.
+    pub fn country(&self, number: u32) -> Option<&'a str> {
+        Some(string(self.tables(), number)).filter(|text| !text.is_empty())
+    }
+}
+
 impl<'a> Path<'a, '_> {
-    /// What the path comes by, in ascending S: junctions with the turn, signals, stop lines and crossings, types of roads and lanes, bridges and
-    /// tunnels, and holes of the map. What goes on over several lanes stands once. Speed limits are [`Path::speeds`]. `out` is emptied
+    /// What the path comes by, in ascending S: junctions with the turn, signals, stop lines and crossings, types of roads and lanes, countries, who
+    /// may use the lane, bridges and tunnels, and holes of the map. What goes on over several lanes stands once. Speed limits are [`Path::speeds`]. `out` is emptied
     /// first; it grows only if its capacity is too small.
     pub fn facts(&self, out: &mut Vec<PathFact>) {
         out.clear();
@@ -152,6 +171,15 @@ impl<'a> Path<'a, '_> {
             let to = types.peek().map_or(f64::MAX, |next| next.s);
             if let Some(along) = inside(own.s, to) {
                 add(along, PathFactKind::RoadType(own.kind));
+                if let Some(number) = own.country {
+                    add(along, PathFactKind::Country { number });
+                }
+            }
+        }
+        for node in lane.nodes().filter(|node| node.is_forward() == piece.forward) {
+            let SRange { low, high } = node.s_range();
+            if let Some(along) = inside(low, high) {
+                add(along, PathFactKind::Access { classes: node.access() });
             }
         }
         let rows = self.map.tables().structures;
@@ -210,13 +238,15 @@ fn rank(fact: &PathFact) -> (u8, u32) {
     match fact.kind {
         PathFactKind::RoadType(_) => (0, 0),
         PathFactKind::LaneType(_) => (1, 0),
-        PathFactKind::Structure { number, .. } => (2, number),
-        PathFactKind::Hole { number } => (3, number),
-        PathFactKind::Junction { junction, .. } => (4, junction.row()),
+        PathFactKind::Country { .. } => (2, 0),
+        PathFactKind::Access { .. } => (3, 0),
+        PathFactKind::Structure { number, .. } => (4, number),
+        PathFactKind::Hole { number } => (5, number),
+        PathFactKind::Junction { junction, .. } => (6, junction.row()),
         PathFactKind::Line { line, .. } => match line.source {
-            LineSource::Signal(id) => (5, id.row()),
-            LineSource::Object(id) => (6, id.row()),
+            LineSource::Signal(id) => (7, id.row()),
+            LineSource::Object(id) => (8, id.row()),
         },
-        PathFactKind::Signal { signal, .. } => (7, signal.row()),
+        PathFactKind::Signal { signal, .. } => (9, signal.row()),
     }
 }

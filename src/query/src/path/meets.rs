@@ -64,10 +64,17 @@ impl<'a> Path<'a, '_> {
         out: &mut Vec<PathConflict>,
     ) {
         // What a junction's own list tells is told.
-        let told = |known: &PathConflict| {
+        let told = |known: &&mut PathConflict| {
             known.other == other.lane_id() && known.along[1] + STEP >= along[0]
         };
-        if out.iter().any(told) {
+        if let Some(known) = out.iter_mut().find(told) {
+            // Roads that lie over each other before one leads into the other's successor merge.
+            if (known.kind, kind) == (ConflictKind::Overlap, ConflictKind::Merge) {
+                known.kind = kind;
+                known.along[1] = known.along[1].max(along[1]);
+                known.other_s =
+                    [known.other_s[0].min(other_s[0]), known.other_s[1].max(other_s[1])];
+            }
             return;
         }
         out.push(PathConflict {

@@ -26,6 +26,7 @@ mod positions;
 mod project;
 mod rebase;
 mod segments;
+mod settle;
 mod speed;
 
 pub use along::PathPoint;
@@ -43,7 +44,7 @@ pub use positions::PathPositions;
 pub use project::PathPosition;
 pub use rebase::{PathChange, PathChangeKind};
 pub use segments::PathSegment;
-pub use speed::PathSpeed;
+pub use speed::{PathSpeed, PathTime};
 
 use crate::error::QueryError;
 use crate::ids::{LaneId, ONLY_TILE};
@@ -134,6 +135,8 @@ struct Piece {
     step: u32,
     /// First span, and the one after the last.
     spans: [u32; 2],
+    /// Where its speed limit comes from.
+    way: speed::Way,
 }
 
 /// A stretch of a piece on which the line is smooth.

@@ -1,8 +1,10 @@
 //! Speed limits along a path.
 
-use super::{Path, Piece};
+use super::{Path, PathBuffer, PathError, Piece, Span};
 use crate::lane::Lane;
+use crate::map::Map;
 use crate::rules::{SpeedOrigin, SpeedRule, SpeedSigns, Zone, is_of_speed};
+use mapd_archive::NONE;
 
 /// A stretch of a path on which one speed limit holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,6 +14,16 @@ pub struct PathSpeed {
     pub along: [f64; 2],
     /// What holds there.
     pub rule: SpeedRule,
+}
+
+/// How long a path or a part of it takes at the speed limits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct PathTime {
+    /// Time where a limit is known and above 0 `[s]`.
+    pub time: f64,
+    /// Length of the rest, where no limit is known or there is none `[m]`: its time is the caller's to say.
+    pub unlimited: f64,
 }
 
 /// A limit, and the S from which on it is to be looked up again.
@@ -31,6 +43,20 @@ const NOTHING: SpeedRule = SpeedRule { max: None, origin: SpeedOrigin::None, sig
 /// S of a record and s of a place may differ by rounding `[m]`.
 const ROUNDING: f64 = 1e-6;
 
+/// Pieces before one that say which speed limit holds on it, noted once so that no answer looks back over the path.
+#[derive(Clone, Copy)]
+pub(super) struct Way {
+    /// The last piece whose lane knows which zone its traffic leaves it in; none where the own lane knows, and where no piece does.
+    zone: u32,
+    /// For a piece in a junction the last one before with a limit, or that before the junction; none where the path begins in it.
+    entry: u32,
+}
+
+impl Way {
+    /// Nothing before says anything.
+    pub(super) const NONE: Self = Self { zone: NONE, entry: NONE };
+}
+
 impl<'a> Path<'a, '_> {
     /// The speed limit at S, which is moved to the path's nearer end where it lies outside. What came in with the vehicle is known: in a
     /// junction where nothing else is written the limit where the path enters it, and the zone that it has driven into. None for an
@@ -48,40 +74,48 @@ impl<'a> Path<'a, '_> {
     /// small.
     pub fn speeds(&self, out: &mut Vec<PathSpeed>) {
         out.clear();
-        for (number, piece) in self.buffer.pieces.iter().enumerate() {
-            let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
-            let first = out.len();
-            let [begin, end] = self.ends_of(piece);
-            let mut cut = |along: f64| {
-                out.push(PathSpeed { along: [along, end], rule: NOTHING });
-            };
-            cut(begin);
-            for s in breaks(&lane) {
-                if let Some(along) = self.along_on(piece, s).filter(|s| *s > begin && *s < end) {
-                    cut(along);
-                }
+        self.each_limit([0.0, self.length()], |along, rule| match out.last_mut() {
+            Some(before) if before.rule == rule => before.along[1] = along[1],
+            _ => out.push(PathSpeed { along, rule }),
+        });
+    }
+
+    /// How long a vehicle takes from S to S at the speed limits. S outside the path is moved to its nearer end.
+    ///
+    /// Errors: two S that are not finite or not in order.
+    pub fn travel_time(&self, [from, to]: [f64; 2]) -> Result<PathTime, PathError> {
+        if !(from <= to && (to - from).is_finite()) {
+            return Err(PathError::NotInOrder);
+        }
+        let part = [from, to].map(|along| mapd_geometry::clamp(along, 0.0, self.length()));
+        let mut sum = PathTime { time: 0.0, unlimited: 0.0 };
+        self.each_limit(part, |[begin, end], rule| {
+            match rule.max.filter(|max| *max > 0.0 && max.is_finite()) {
+                Some(max) => sum.time += (end - begin) / max,
+                None => sum.unlimited += end - begin,
             }
-            let own = out.get_mut(first..).unwrap_or(&mut []);
-            own.sort_unstable_by(|a, b| a.along[0].total_cmp(&b.along[0]));
-            for i in first..out.len() {
-                let until = out.get(i + 1).map_or(end, |next| next.along[0]);
-                let Some(own) = out.get_mut(i) else { continue };
-                own.along[1] = until;
-                let middle = 0.5 * (own.along[0] + until);
-                let span = self.spans_of(piece).iter().rfind(|span| span.along <= middle);
-                let s = span.map(|span| span.s_at(middle - span.along));
-                if let Some(rule) = s.and_then(|s| self.rule_on(number, s)) {
-                    own.rule = rule;
-                }
+        });
+        Ok(sum)
+    }
+
+    /// Tells the limits between two S on the path, in ascending S without gaps.
+    fn each_limit(&self, [from, to]: [f64; 2], mut tell: impl FnMut([f64; 2], SpeedRule)) {
+        let first = self.span_at(from).map_or(0, |span| span.piece as usize);
+        for (number, piece) in self.buffer.pieces.iter().enumerate().skip(first) {
+            let [begin, end] = self.ends_of(piece);
+            let (mut along, end) = (begin.max(from), end.min(to));
+            let Some(lane) = self.lane_of(number).filter(|_| begin < to) else { return };
+            while along < end {
+                let places = breaks(&lane).filter_map(|s| self.along_on(piece, s));
+                let next = places.filter(|next| *next > along).fold(end, f64::min);
+                let middle = 0.5 * (along + next);
+                let spans = self.spans_of(piece);
+                let at = spans.partition_point(|span| span.along <= middle).saturating_sub(1);
+                let s = spans.get(at).map(|span| span.s_at(middle - span.along));
+                tell([along, next], s.and_then(|s| self.rule_on(number, s)).unwrap_or(NOTHING));
+                along = next;
             }
         }
-        out.dedup_by(|next, before| {
-            let same = next.rule == before.rule || next.along[0] == next.along[1];
-            if same {
-                before.along[1] = next.along[1];
-            }
-            same
-        });
     }
 
     /// The limit at S, which is s on a piece, and how long nothing on the piece can change it.
@@ -106,41 +140,58 @@ impl<'a> Path<'a, '_> {
             return Some(own);
         }
         // No sign holds that the path has passed: what remains is what comes with it into a junction.
-        let Some(junction) = lane.road().junction_row() else { return Some(lane.default_speed(s)) };
-        for before in (0..number).rev() {
-            let from = self.lane_of(before)?;
-            let end = self.spans_of(self.buffer.pieces.get(before)?).last()?.s[1];
-            let signs = self.signs_at_entry(before, &from);
-            let inside = from.road().junction_row() == Some(junction);
-            match from.speed_with(signs, end) {
-                Some(own) if own.origin == SpeedOrigin::Depends => return Some(own),
-                Some(own) => return Some(SpeedRule { origin: SpeedOrigin::Entry, ..own }),
-                None if inside => {}
-                None => return Some(lane.default_speed(s)),
-            }
+        if lane.road().junction_row().is_none() {
+            return Some(lane.default_speed(s));
         }
-        Some(rule)
+        let piece = self.buffer.pieces.get(number)?;
+        let Some(before) = self.buffer.pieces.get(piece.way.entry as usize) else {
+            return Some(rule);
+        };
+        Some(match self.speed_at_exit(piece.way.entry as usize, before) {
+            Some(own) if own.origin == SpeedOrigin::Depends => own,
+            Some(own) => SpeedRule { origin: SpeedOrigin::Entry, ..own },
+            None => lane.default_speed(s),
+        })
+    }
+
+    /// What is written for a piece where the path leaves it.
+    fn speed_at_exit(&self, number: usize, piece: &Piece) -> Option<SpeedRule> {
+        let lane = self.lane_of(number)?;
+        let end = self.spans_of(piece).last()?.s[1];
+        lane.speed_with(self.signs_at_entry(number, &lane), end)
+    }
+
+    /// Where a piece has its speed limit from, if the way to it says; of those before it that is known.
+    fn way_to(&self, number: usize) -> Option<Way> {
+        let lane = self.lane_of(number)?;
+        let before = number.checked_sub(1)?;
+        let (from, piece) = (self.lane_of(before)?, self.buffer.pieces.get(before)?);
+        let mut way = Way::NONE;
+        if depends(&lane.speed_signs_at_entry()) {
+            let at_exit = from.speed_signs_after(from.speed_signs_at_entry(), None);
+            way.zone = if depends(&at_exit) { piece.way.zone } else { before as u32 };
+        }
+        let junction = lane.road().junction_row();
+        if junction.is_some() {
+            let inside = from.road().junction_row() == junction;
+            let goes_on = inside && self.speed_at_exit(before, piece).is_none();
+            way.entry = if goes_on { piece.way.entry } else { before as u32 };
+        }
+        Some(way)
     }
 
     /// The signs that hold where a piece's lane is entered, by the way that the path has come.
     fn signs_at_entry(&self, number: usize, lane: &Lane<'a>) -> SpeedSigns<'a> {
         let own = lane.speed_signs_at_entry();
-        if !matches!(own.zone, Zone::Depends) {
+        if !depends(&own) {
             return own;
         }
-        // Back to the last lane that does not depend on the way to it, and from there on again.
-        let knows = |number: &usize| {
-            self.lane_of(*number).is_some_and(|lane| {
-                let at_entry = lane.speed_signs_at_entry();
-                !matches!(lane.speed_signs_after(at_entry, None).zone, Zone::Depends)
-            })
-        };
-        let Some(first) = (0..number).rev().find(knows) else { return own };
-        let zone = self.lane_of(first).map_or(Zone::None, |lane| {
-            lane.speed_signs_after(lane.speed_signs_at_entry(), None).zone
-        });
-        // On the lanes between no sign says anything of zones: they would know.
-        SpeedSigns { zone, ..own }
+        // From the last lane that does not depend on the way to it on, no sign says anything of zones: its lane would know.
+        let first =
+            self.buffer.pieces.get(number).and_then(|piece| self.lane_of(piece.way.zone as usize));
+        let zone =
+            first.map(|first| first.speed_signs_after(first.speed_signs_at_entry(), None).zone);
+        SpeedSigns { zone: zone.unwrap_or(own.zone), ..own }
     }
 
     fn lane_of(&self, number: usize) -> Option<Lane<'a>> {
@@ -155,8 +206,24 @@ impl<'a> Path<'a, '_> {
 
     /// S of a place on a piece; none where it is not driven over.
     pub(super) fn along_on(&self, piece: &Piece, s: f64) -> Option<f64> {
-        self.spans_of(piece).iter().find_map(|span| span.along_at(s))
+        let spans = self.spans_of(piece);
+        let before = |span: &Span| if piece.forward { span.s[1] < s } else { span.s[1] > s };
+        spans.get(spans.partition_point(before))?.along_at(s)
     }
+}
+
+/// Notes of each piece where it has its speed limit from.
+pub(super) fn note_ways(map: Map<'_>, buffer: &mut PathBuffer) {
+    for number in 0..buffer.pieces.len() {
+        let way = Path { map, buffer }.way_to(number);
+        if let Some(piece) = buffer.pieces.get_mut(number) {
+            piece.way = way.unwrap_or(Way::NONE);
+        }
+    }
+}
+
+fn depends(signs: &SpeedSigns<'_>) -> bool {
+    matches!(signs.zone, Zone::Depends)
 }
 
 /// Every s at which the limit on a lane may change.

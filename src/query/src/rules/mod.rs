@@ -1,6 +1,7 @@
 //! What one may do on a lane: speed, overtaking, lines, turns, right of way.
 
 mod country;
+pub(crate) mod entry_sign;
 mod last_sign;
 mod lines;
 mod movement;
@@ -9,7 +10,9 @@ mod speed;
 pub(crate) mod speed_signs;
 
 pub(crate) use country::by_rules;
+pub(crate) use entry_sign::EntrySign;
 pub use lines::{LaneLine, LineAhead, LineSource};
+pub(crate) use movement::ENTRY_REACH;
 pub use movement::{Basis, EntrySignal, RightOfWay, Turn, YieldsTo};
 pub use overtaking::OvertakingRule;
 pub use speed::{SpeedOrigin, SpeedRule};

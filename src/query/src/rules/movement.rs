@@ -10,7 +10,7 @@ use std::cell::OnceCell;
 use std::f64::consts::{FRAC_PI_4, PI};
 
 /// Signals this far before a junction are its entry's `[m]`: beyond it they belong to something else more often than not.
-pub(super) const ENTRY_REACH: f64 = 30.0;
+pub(crate) const ENTRY_REACH: f64 = 30.0;
 /// Pieces that a movement has at most; a damaged archive might lead round in a circle.
 const MOST_PIECES: usize = 64;
 /// A movement that turns by less goes straight on `[rad]`.
@@ -250,7 +250,11 @@ impl<'a> Lane<'a> {
 
     /// This lane and those before (or behind) it, near a junction: until there is a fork or another junction, or the reach ends;
     /// each with the lengths of those passed `[m]`, counted from `start`.
-    fn run(self, before: bool, start: f64) -> impl Iterator<Item = (Lane<'a>, f64)> + use<'a> {
+    pub(crate) fn run(
+        self,
+        before: bool,
+        start: f64,
+    ) -> impl Iterator<Item = (Lane<'a>, f64)> + use<'a> {
         let step = move |(lane, passed): &(Lane<'a>, f64)| {
             let next = if before {
                 sole(lane.map, lane.predecessors())

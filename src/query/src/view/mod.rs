@@ -146,12 +146,13 @@ impl<'a> View<'a> {
         row.map_or(0..0, |row| row.pieces().rows(tables.pieces.len()))
     }
 
-    /// A piece as a node: with what it has at the view's moment for a class of vehicles.
+    /// A piece as a node: with what it has at the view's moment for a class of vehicles. Not by [`View::active_on`]: searches ask this of every node that
+    /// they meet, and whether an entry holds at the moment costs more than its kind and class, which rule most of them out.
     fn piece(&self, number: u32, vehicle: VehicleClass) -> Option<LaneNode<'a>> {
         let tables = self.tables()?;
         let row = tables.pieces.get(number as usize)?;
-        let number = tables.nodes.get(row.node() as usize)?.node();
-        let base = self.map.tables().lane_nodes.get(number as usize)?;
+        let node = tables.nodes.get(row.node() as usize)?.node();
+        let base = self.map.tables().lane_nodes.get(node as usize)?;
         let (mut closed, mut opened, mut speed) = (0, 0, f64::INFINITY);
         for entry in row.entries().of(tables.piece_entries) {
             let Some(entry) = tables.entries.get(*entry as usize) else { continue };
@@ -176,7 +177,7 @@ impl<'a> View<'a> {
             false => f64::from(row.time()),
         };
         let piece = NodePiece { row, time, access: (base.access() | opened) & !closed };
-        Some(LaneNode { map: self.map, number, row: base, piece: Some(piece) })
+        Some(LaneNode { map: self.map, number: node, row: base, piece: Some(piece) })
     }
 
     /// Entries that hold on a piece at the view's moment, by number.

@@ -231,6 +231,30 @@ pub const SIGNAL_LANES: Rule = warning(
     ],
 );
 
+/// A zone of a speed limit that no sign ends.
+pub const ZONE_END: Rule = warning(
+    "mapd:compile.zone_end",
+    "A sign ends a speed zone on each way out of it; otherwise what holds behind depends on the way that one has come.",
+    [
+        File(
+            r#"<OpenDRIVE><header revMajor="1" revMinor="8"/><road id="1" length="50" junction="-1"><link><successor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="-60" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes><signals><signal id="1" s="10" t="-4" zOffset="2" dynamic="no" orientation="+" country="DE" type="274.1" subtype="-1" value="30" unit="km/h"/><signal id="2" s="40" t="-4" zOffset="2" dynamic="no" orientation="+" country="DE" type="274.2" subtype="-1"/></signals></road>
+<road id="2" length="50" junction="-1"><link><successor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="0" y="-60" hdg="1.5707963267948966" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="3" length="20" junction="9"><link><predecessor elementType="road" elementId="1" contactPoint="end"/><successor elementType="road" elementId="5" contactPoint="start"/></link><planView><geometry s="0" x="-10" y="0" hdg="0" length="20"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="4" length="15.707963267948966" junction="9"><link><predecessor elementType="road" elementId="2" contactPoint="end"/><successor elementType="road" elementId="5" contactPoint="start"/></link><planView><geometry s="0" x="0" y="-10" hdg="1.5707963267948966" length="15.707963267948966"><arc curvature="-0.1"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="5" length="50" junction="-1"><link><predecessor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="10" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<junction id="9"><connection id="0" incomingRoad="1" connectingRoad="3" contactPoint="start"><laneLink from="-1" to="-1"/></connection><connection id="1" incomingRoad="2" connectingRoad="4" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction></OpenDRIVE>"#,
+        ),
+        File(
+            r#"<OpenDRIVE><header revMajor="1" revMinor="8"/><road id="1" length="50" junction="-1"><link><successor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="-60" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes><signals><signal id="1" s="10" t="-4" zOffset="2" dynamic="no" orientation="+" country="DE" type="274.1" subtype="-1" value="30" unit="km/h"/></signals></road>
+<road id="2" length="50" junction="-1"><link><successor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="0" y="-60" hdg="1.5707963267948966" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="3" length="20" junction="9"><link><predecessor elementType="road" elementId="1" contactPoint="end"/><successor elementType="road" elementId="5" contactPoint="start"/></link><planView><geometry s="0" x="-10" y="0" hdg="0" length="20"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="4" length="15.707963267948966" junction="9"><link><predecessor elementType="road" elementId="2" contactPoint="end"/><successor elementType="road" elementId="5" contactPoint="start"/></link><planView><geometry s="0" x="0" y="-10" hdg="1.5707963267948966" length="15.707963267948966"><arc curvature="-0.1"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><predecessor id="-1"/><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<road id="5" length="50" junction="-1"><link><predecessor elementType="junction" elementId="9"/></link><planView><geometry s="0" x="10" y="0" hdg="0" length="50"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>
+<junction id="9"><connection id="0" incomingRoad="1" connectingRoad="3" contactPoint="start"><laneLink from="-1" to="-1"/></connection><connection id="1" incomingRoad="2" connectingRoad="4" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction></OpenDRIVE>"#,
+        ),
+    ],
+);
+
 /// A reference to a signal that is not there.
 pub const SIGNAL_REFERENCE: Rule = warning(
     "mapd:compile.signal_reference",
@@ -457,6 +481,7 @@ pub(super) static RULES: &[&[Rule]] = &[&[
     ASSUMED_UNIT,
     OBJECT_LANE,
     SIGNAL_LANES,
+    ZONE_END,
     SIGNAL_REFERENCE,
     CONTACT_POINT,
     GEO_REFERENCE,

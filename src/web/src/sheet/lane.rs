@@ -74,7 +74,9 @@ fn along(lane: &Lane<'_>, said: impl Fn(f64) -> String) -> Vec<Words> {
     let nodes = lane.nodes().flat_map(|node| [node.s_range().low, node.s_range().high]);
     let signs = lane.signals().map(|one| one.s_on(lane));
     let written = lane.speeds().map(|one| one.s);
-    let inside = nodes.chain(signs).chain(written).filter(|s| (from < *s) & (*s < to));
+    // A road's type brings a limit, and the country's own for such roads.
+    let types = lane.road().types().map(|one| one.s);
+    let inside = nodes.chain(signs).chain(written).chain(types).filter(|s| (from < *s) & (*s < to));
     let mut cuts: Vec<f64> = inside.chain([from, to]).collect();
     cuts.sort_by(f64::total_cmp);
     let mut pieces: Vec<([f64; 2], String)> = Vec::new();

@@ -57,6 +57,13 @@ fn fact(a: &mut Numbers, map: Map<'_>, fact: &PathFact) -> Result<()> {
         PathFactKind::Hole { number } => {
             a.u(6u64).u(number);
         }
+        PathFactKind::Country { number } => {
+            a.u(7u64).u(hash(map.country(number).unwrap_or_default()));
+        }
+        PathFactKind::Access { classes } => {
+            let all = VehicleClass::ALL.iter().filter(|class| classes & class.bit() != 0);
+            a.u(8u64).u(all.fold(0u64, |sum, class| sum.wrapping_add(hash(class.name()))));
+        }
         _ => {}
     }
     Ok(())
@@ -91,6 +98,8 @@ impl Asker<'_> {
         for one in &speeds {
             a.f(one.along[0]).f(one.along[1]).option(one.rule.max).u(signal_bits(one.rule.signal));
         }
+        let time = path.travel_time([from, to])?;
+        a.f(time.time).f(time.unlimited);
         let mut segments = Vec::new();
         path.segments(CAR, &mut segments);
         a.u(segments.len() as u64);

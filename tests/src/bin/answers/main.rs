@@ -5,6 +5,9 @@
 //! (default 1000). A line is a question's kind, its numbers, `|` and the answer's numbers, in hexadecimal: bits of doubles, ids as
 //! `row + content * 2^32`, counts and codes as they are, texts as their FNV-1a. An answer that is an option begins with 1 or is 0; a list begins with
 //! its count. Programs skip kinds that their language has no form for, and say which.
+//!
+//! A kind that not every map can have, or that not every try yields, is asked on where it can be had, until the maps together have five times COUNT. How many there are of
+//! each kind is printed, and too few are an error.
 
 mod along;
 mod driving;
@@ -25,13 +28,18 @@ use mapd_client::{Lane, Map, Road, Snapshot};
 use mapd_compiler::{CompileOptions, compile};
 use mapd_tests::overlays::over;
 use numbers::Numbers;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
+use std::io::Write as _;
 use std::path::Path;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-/// Maps that the project carries.
-const MAPS: &[&str] = &["town", "objects", "marks", "surfaces", "one_road"];
+/// Maps that the project carries, and the town with signals, which none of them has.
+const MAPS: &[&str] = &["town", "objects", "marks", "surfaces", "one_road", SIGNALS];
+const SIGNALS: &str = "signals";
+/// Questions of every kind are COUNT times as many.
+const TIMES: u32 = 5;
 
 /// Radii of searches `[m]`: few, so that many questions go into one batch.
 const RADII: &[f64] = &[0.5, 3.0, 10.0, 30.0];
@@ -57,13 +65,77 @@ impl Random {
     }
 }
 
+fn place<'a>(lanes: &[Lane<'a>], random: &mut Random) -> (Lane<'a>, f64) {
+    let lane = random.one_of(lanes);
+    let section = lane.section();
+    (lane, random.between(section.s_start() - 1.0, section.s_end() + 1.0))
+}
+
+/// Memory of searches.
+#[derive(Default)]
+struct Memory {
+    routes: RouteScratch,
+    localising: Localising,
+}
+
+/// Asks questions that belong together.
+type Ask = for<'a, 'b> fn(&mut Asker<'a>, &'b mut Memory) -> Result<()>;
+
+/// Which kinds are asked together.
+const GROUPS: &[(&[&str], Ask)] = &[
+    (&["nearest", "near", "objects", "landmarks", "around", "track", "geodetic"], |asker, _| {
+        asker.points()
+    }),
+    (&["inertial", "surface"], |asker, _| asker.roads()),
+    (
+        &[
+            "pose",
+            "position",
+            "edges",
+            "at",
+            "lane",
+            "movement",
+            "line",
+            "ahead",
+            "sequences",
+            "junction",
+        ],
+        |asker, _| asker.lanes(),
+    ),
+    (&["route", "reachable", "lines", "path", "along", "room"], |asker, memory| {
+        asker.routes(&mut memory.routes)
+    }),
+    (&["ground", "mark", "match", "trace"], |asker, memory| asker.poses(&mut memory.localising)),
+    (&["tracker", "stance", "sees", "paint"], |asker, _| asker.drive()),
+    (&["comes"], |asker, memory| asker.comes(&mut memory.routes)),
+    (&["request"], |asker, memory| asker.requests(&mut memory.routes)),
+    (&["today"], |asker, memory| asker.today(&mut memory.routes)),
+    (&["road"], |asker, _| asker.numbers_of_a_road()),
+    (&["region"], |asker, _| asker.region()),
+    (&["details"], |asker, _| asker.details()),
+    (&["sign"], |asker, _| asker.sign()),
+    (&["thing"], |asker, _| asker.thing()),
+    (&["earth"], |asker, _| asker.earth()),
+];
+
+/// How often more than COUNT a map is asked for what it has too little of.
+const TRIES: u32 = 100;
+
+/// How many questions there are of each kind.
+type Counts = BTreeMap<&'static str, u32>;
+
 /// Asks about one map.
 struct Asker<'a> {
     map: Map<'a>,
+    /// The same map under an overlay.
+    under: &'a Snapshot,
     lanes: Vec<Lane<'a>>,
     roads: Vec<Road<'a>>,
     random: Random,
     out: String,
+    counts: Counts,
+    /// What is written, where not everything is.
+    only: Option<BTreeSet<&'static str>>,
 }
 
 impl<'a> Asker<'a> {
@@ -75,12 +147,14 @@ impl<'a> Asker<'a> {
 
     /// A lane, and an s that may lie a little outside.
     fn place(&mut self) -> (Lane<'a>, f64) {
-        let lane = self.random.one_of(&self.lanes);
-        let section = lane.section();
-        (lane, self.random.between(section.s_start() - 1.0, section.s_end() + 1.0))
+        place(&self.lanes, &mut self.random)
     }
 
-    fn write(&mut self, kind: &str, question: &Numbers, answer: &Numbers) {
+    fn write(&mut self, kind: &'static str, question: &Numbers, answer: &Numbers) {
+        if self.only.as_ref().is_some_and(|only| !only.contains(kind)) {
+            return;
+        }
+        *self.counts.entry(kind).or_default() += 1;
         self.out.push_str(kind);
         for number in &question.0 {
             let _ = write!(self.out, " {number:x}");
@@ -93,41 +167,115 @@ impl<'a> Asker<'a> {
     }
 }
 
+/// How many questions all maps together have of each kind.
+fn sum(askers: &[Asker<'_>]) -> Counts {
+    let mut all: Counts =
+        GROUPS.iter().flat_map(|(kinds, _)| *kinds).map(|kind| (*kind, 0)).collect();
+    for (kind, count) in askers.iter().flat_map(|asker| &asker.counts) {
+        // Of what a map has only once there cannot be enough.
+        if let Some(sum) = all.get_mut(kind) {
+            *sum += count;
+        }
+    }
+    all
+}
+
+/// Asks on until there are enough questions of every kind.
+fn ask_on(askers: &mut [Asker<'_>], enough: u32, memory: &mut Memory) -> Result<Counts> {
+    for _ in 0..TRIES.saturating_mul(enough) {
+        let counts = sum(askers);
+        let few: BTreeSet<&str> =
+            counts.iter().filter(|(_, count)| **count < enough).map(|(kind, _)| *kind).collect();
+        if few.is_empty() {
+            return Ok(counts);
+        }
+        let mut can_have_any = false;
+        for asker in &mut *askers {
+            // A map that has had none of a kind cannot have any.
+            let own: BTreeSet<&str> =
+                few.iter().copied().filter(|kind| asker.counts.contains_key(kind)).collect();
+            for (kinds, ask) in GROUPS {
+                if kinds.iter().any(|kind| own.contains(kind)) {
+                    can_have_any = true;
+                    asker.only = Some(own.clone());
+                    ask(asker, memory)?;
+                }
+            }
+        }
+        if !can_have_any {
+            break;
+        }
+    }
+    Err(format!("fewer than {enough} questions of a kind: {:?}", sum(askers)).into())
+}
+
+/// A map's text with signals on every road: a limit, a stop sign that names another signal, and a light.
+fn with_signals(text: &str) -> String {
+    let mut out = String::new();
+    for (i, part) in text.split("</road>").enumerate() {
+        if i > 0 {
+            out.push_str("</road>");
+        }
+        out.push_str(part);
+        if part.contains("<road ") {
+            let common = r#"zOffset="2" country="DE" unit="km/h" height="0.6" width="0.6""#;
+            let _ = write!(
+                out,
+                r#"<signals><signal s="1" t="-4" id="limit-{i}" name="" dynamic="no" orientation="+" type="274" subtype="-1" value="30" {common}/><signal s="2" t="-4" id="stop-{i}" name="" dynamic="no" orientation="+" type="206" subtype="-1" {common}><dependency id="light-{i}" type="off"/><reference elementId="limit-{i}" elementType="signal" type="limit"/></signal><signal s="2.5" t="-4" id="light-{i}" name="" dynamic="yes" orientation="+" type="1000001" subtype="-1" {common}/></signals>"#
+            );
+        }
+    }
+    out
+}
+
 fn main() -> Result<()> {
     let mut args = std::env::args().skip(1);
     let folder = args.next().ok_or("usage: answers FOLDER [COUNT]")?;
     let count: u32 = args.next().map_or(Ok(1000), |text| text.parse())?;
     std::fs::create_dir_all(&folder)?;
+    let mut maps = Vec::new();
     for name in MAPS {
-        let file = std::fs::File::open(mapd_tests::carried(&format!("{name}.xodr")))?;
-        let compiled = compile(file, &CompileOptions::default(), &mut |_| {})?;
+        let of = if *name == SIGNALS { "town" } else { name };
+        let mut text = std::fs::read_to_string(mapd_tests::carried(&format!("{of}.xodr")))?;
+        if *name == SIGNALS {
+            text = with_signals(&text);
+        }
+        let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {})?;
         let rows = compiled.rows.as_ref().ok_or("the map was rejected")?;
         let bytes = encode(rows, &compiled.provenance)?;
         let path = Path::new(&folder).join(name);
         std::fs::write(path.with_extension("mapd"), &bytes[..])?;
         let snapshot = Snapshot::from_bytes(bytes)?;
-        let map = snapshot.map();
-        let random = Random(0x6d61_7064);
-        let (lanes, roads) = (map.lanes().collect(), map.roads().collect());
-        let mut asker = Asker { map, lanes, roads, random, out: String::new() };
-        let (overlay, _) = over(map, &asker.said(), true);
+        let mut random = Random(0x6d61_7064);
+        let said = today::said(snapshot.map(), &mut random);
+        let (overlay, _) = over(snapshot.map(), &said, true);
         std::fs::write(path.with_extension("overlay"), &overlay[..])?;
         let under = snapshot.with_overlay(overlay)?;
-        let (mut scratch, mut localising) = (RouteScratch::default(), Localising::default());
+        maps.push((path, snapshot, under, random));
+    }
+    let mut memory = Memory::default();
+    let mut askers = Vec::new();
+    for (_, snapshot, under, random) in &maps {
+        let map = snapshot.map();
+        let (lanes, roads) = (map.lanes().collect(), map.roads().collect());
+        let (random, out) = (Random(random.0), String::new());
+        let mut asker =
+            Asker { map, under, lanes, roads, random, out, counts: Counts::new(), only: None };
         for _ in 0..count {
-            asker.points()?;
-            asker.roads()?;
-            asker.lanes()?;
-            asker.routes(&mut scratch)?;
-            asker.poses(&mut localising)?;
-            asker.drive()?;
-            asker.comes(&mut scratch)?;
-            asker.requests(&mut scratch)?;
-            asker.today(&under, &mut scratch)?;
-            asker.parts()?;
+            for (_, ask) in GROUPS {
+                ask(&mut asker, &mut memory)?;
+            }
         }
         asker.whole();
-        std::fs::write(path.with_extension("answers"), asker.out)?;
+        askers.push(asker);
     }
+    let enough = count * TIMES;
+    let counts = ask_on(&mut askers, enough, &mut memory)?;
+    for ((path, ..), asker) in maps.iter().zip(&askers) {
+        std::fs::write(path.with_extension("answers"), &asker.out)?;
+    }
+    let counts: Vec<String> =
+        counts.iter().map(|(kind, count)| format!("{kind} {count}")).collect();
+    writeln!(std::io::stdout(), "{}", counts.join(", "))?;
     Ok(())
 }

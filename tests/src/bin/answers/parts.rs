@@ -7,16 +7,7 @@ use mapd_client::vocabulary::ClassSet;
 use mapd_client::{LaneTypes, Region};
 
 impl Asker<'_> {
-    pub(crate) fn parts(&mut self) -> Result<()> {
-        self.numbers_of_a_road();
-        self.region()?;
-        self.details()?;
-        self.sign()?;
-        self.thing()?;
-        self.earth()
-    }
-
-    fn numbers_of_a_road(&mut self) {
+    pub(crate) fn numbers_of_a_road(&mut self) -> Result<()> {
         let road = self.random.one_of(&self.roads);
         let s = self.random.between(-1.0, road.length() + 1.0);
         let t = self.random.between(-12.0, 12.0);
@@ -27,9 +18,10 @@ impl Asker<'_> {
         let first = road.section(0);
         a.lanes(first.iter().flat_map(|one| one.lanes()).map(|lane| lane.lane_id()));
         self.write("road", q.id(road.road_id().to_bits()).f(s).f(t), &a);
+        Ok(())
     }
 
-    fn region(&mut self) -> Result<()> {
+    pub(crate) fn region(&mut self) -> Result<()> {
         let map = self.map;
         let low = self.point();
         let size = DVec2::new(self.random.between(1.0, 30.0), self.random.between(1.0, 30.0));
@@ -74,7 +66,7 @@ impl Asker<'_> {
         Ok(())
     }
 
-    fn details(&mut self) -> Result<()> {
+    pub(crate) fn details(&mut self) -> Result<()> {
         let (lane, s) = self.place();
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
         a.pose(&lane.pose_of_reference_line(s, 0.5)?);
@@ -118,7 +110,7 @@ impl Asker<'_> {
         Ok(())
     }
 
-    fn sign(&mut self) -> Result<()> {
+    pub(crate) fn sign(&mut self) -> Result<()> {
         let map = self.map;
         let all: Vec<_> = map.signals().map(|one| one.signal_id()).collect();
         if all.is_empty() {
@@ -147,7 +139,7 @@ impl Asker<'_> {
         Ok(())
     }
 
-    fn thing(&mut self) -> Result<()> {
+    pub(crate) fn thing(&mut self) -> Result<()> {
         let map = self.map;
         let all: Vec<_> = map.objects().map(|one| one.object_id()).collect();
         if all.is_empty() {
@@ -176,7 +168,7 @@ impl Asker<'_> {
         Ok(())
     }
 
-    fn earth(&mut self) -> Result<()> {
+    pub(crate) fn earth(&mut self) -> Result<()> {
         let at = self.point();
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
         let Ok(projector) = self.map.projector() else { return Ok(()) };

@@ -2,8 +2,8 @@
 
 use crate::along::steps;
 use crate::numbers::{NOTHING, Numbers, hash, signal_bits};
-use crate::{Asker, Result};
-use mapd_client::Snapshot;
+use crate::{Asker, Random, Result, place};
+use mapd_client::Map;
 use mapd_client::glam::DMat3;
 use mapd_client::localisation::{MatchOptions, VehiclePose};
 use mapd_client::path::{Corridor, PathBuffer, PathOptions};
@@ -34,46 +34,48 @@ fn restriction(a: &mut Numbers, one: Option<&Restriction<'_>>) {
     }
 }
 
-impl Asker<'_> {
-    /// What a road authority might say about some of the lanes, as JSON.
-    pub(crate) fn said(&mut self) -> String {
-        let mut entries = Vec::new();
-        for kind in ["closed", "speed", "wet", "open"] {
-            for number in 0..OF_A_KIND {
-                let (lane, s) = self.place();
-                let mut entry =
-                    format!(r#"{{"id":"{kind}-{number}","kind":"{kind}","source":"road works""#);
-                if kind == "speed" {
-                    entry.push_str(r#","value":5.5"#);
-                }
-                if kind == "open" {
-                    entry.push_str(r#","vehicles":["passengerCar"]"#);
-                }
-                if number % 2 == 1 {
-                    entry.push_str(r#","until":"1970-01-06T00:00:00Z","confidence":0.5"#);
-                }
-                let section = lane.section();
-                let from = s.min(section.s_end() - 1.0).max(section.s_start());
-                let to = (from + STRETCH).min(section.s_end());
-                let _ = write!(
-                    entry,
-                    r#","lanes":[{{"road":"{}","s":[{from},{to}],"lane":{}}}]}}"#,
-                    lane.road().id(),
-                    lane.number()
-                );
-                entries.push(entry);
+/// What a road authority might say about some of the lanes, as JSON.
+pub(crate) fn said(map: Map<'_>, random: &mut Random) -> String {
+    let lanes: Vec<_> = map.lanes().collect();
+    let mut entries = Vec::new();
+    for kind in ["closed", "speed", "wet", "open"] {
+        for number in 0..OF_A_KIND {
+            let (lane, s) = place(&lanes, random);
+            let mut entry =
+                format!(r#"{{"id":"{kind}-{number}","kind":"{kind}","source":"road works""#);
+            if kind == "speed" {
+                entry.push_str(r#","value":5.5"#);
             }
+            if kind == "open" {
+                entry.push_str(r#","vehicles":["passengerCar"]"#);
+            }
+            if number % 2 == 1 {
+                entry.push_str(r#","until":"1970-01-06T00:00:00Z","confidence":0.5"#);
+            }
+            let section = lane.section();
+            let from = s.min(section.s_end() - 1.0).max(section.s_start());
+            let to = (from + STRETCH).min(section.s_end());
+            let _ = write!(
+                entry,
+                r#","lanes":[{{"road":"{}","s":[{from},{to}],"lane":{}}}]}}"#,
+                lane.road().id(),
+                lane.number()
+            );
+            entries.push(entry);
         }
-        if let Some(signal) = self.map.signals().next() {
-            entries.push(format!(
-                r#"{{"id":"off","kind":"signal-off","signals":["{}"],"until":"1970-01-06T00:00:00Z"}}"#,
-                signal.id()
-            ));
-        }
-        format!(r#"{{"entries":[{}]}}"#, entries.join(","))
     }
+    if let Some(signal) = map.signals().next() {
+        entries.push(format!(
+            r#"{{"id":"off","kind":"signal-off","signals":["{}"],"until":"1970-01-06T00:00:00Z"}}"#,
+            signal.id()
+        ));
+    }
+    format!(r#"{{"entries":[{}]}}"#, entries.join(","))
+}
 
-    pub(crate) fn today(&mut self, under: &Snapshot, scratch: &mut RouteScratch) -> Result<()> {
+impl Asker<'_> {
+    pub(crate) fn today(&mut self, scratch: &mut RouteScratch) -> Result<()> {
+        let under = self.under;
         let at = self.random.between(0.0, SECONDS);
         let ((lane, s), (to, s_to)) = (self.place(), self.place());
         let limit = self.random.between(10.0, 300.0);

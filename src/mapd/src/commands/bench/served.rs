@@ -68,7 +68,7 @@ pub(crate) fn with<T>(
     let compiling = Compiling { reading: &reading, options: &options };
     let opened = source::open(source, compiling, attaching, &mut |_| {})?;
     let archive = match opened {
-        Opened::Map(snapshot) => snapshot,
+        Opened::Map(snapshot, _) => snapshot,
         Opened::Rejected(_) => bail!("{source} is rejected; `mapd check {source}` says why"),
     };
     let path = Path::new(source);

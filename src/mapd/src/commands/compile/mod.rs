@@ -275,7 +275,7 @@ fn compile_many(
         }
     }
     if command.options.is_patched() {
-        bail!(UsageError("--patch and --remove are of a single map".to_owned()));
+        bail!(UsageError("--patch and --remove need a single map".to_owned()));
     }
     let manner = command.progress.manner();
     let reading = command.options.reading(&command.judging)?;

@@ -1,11 +1,13 @@
 //! What `mapd inspect` tells, as data.
 
 use super::annotations::AnnotationFacts;
+use super::findings::FindingFacts;
 use super::graph::{GraphFacts, lane_links};
 use super::objects::ObjectFacts;
 use super::signals::SignalFacts;
 use crate::report::hex;
 use mapd_client::{Map, Snapshot};
+use mapd_compiler::Compilation;
 use mapd_query::Bounds;
 use mapd_query::document::HeaderOffset;
 use mapd_query::document::Revision;
@@ -32,6 +34,8 @@ pub(super) struct Inspection {
     pub(super) signals: SignalFacts,
     pub(super) objects: ObjectFacts,
     pub(super) besides: AnnotationFacts,
+    /// Of an OpenDRIVE file: archives keep none.
+    pub(super) findings: Option<FindingFacts>,
     pub(super) quarantined: Vec<QuarantinedFacts>,
     pub(super) tables: Vec<TableFacts>,
 }
@@ -133,7 +137,12 @@ pub(super) struct TableFacts {
 }
 
 /// What a map holds.
-pub(super) fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Inspection {
+pub(super) fn inspect(
+    source: &str,
+    snapshot: &Snapshot,
+    compiled: Option<&Compilation>,
+    verified: bool,
+) -> Inspection {
     let map = snapshot.map();
     let tables = map.tables();
     let header = snapshot.header();
@@ -180,6 +189,7 @@ pub(super) fn inspect(source: &str, snapshot: &Snapshot, verified: bool) -> Insp
         signals: SignalFacts::of(map),
         objects: ObjectFacts::of(map),
         besides: AnnotationFacts::of(map),
+        findings: compiled.map(FindingFacts::of),
         quarantined: map.quarantined().map(|part| left_out(&part)).collect(),
         tables: tables
             .infos()

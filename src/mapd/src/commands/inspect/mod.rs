@@ -2,6 +2,7 @@
 
 mod annotations;
 mod facts;
+mod findings;
 mod graph;
 mod objects;
 mod page;
@@ -36,11 +37,13 @@ impl InspectCommand {
     ///
     /// Errors: the source cannot be opened; the archive does not prove.
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
-        let Some(snapshot) = self.opening.open(&self.source)? else { return Ok(Exit::Rejected) };
+        let Some((snapshot, compiled)) = self.opening.open_with_findings(&self.source)? else {
+            return Ok(Exit::Rejected);
+        };
         if self.verify {
             snapshot.verify()?;
         }
-        let facts = facts::inspect(&self.source, &snapshot, self.verify);
+        let facts = facts::inspect(&self.source, &snapshot, compiled.as_deref(), self.verify);
         if self.json {
             serde_json::to_writer_pretty(&mut *out, &facts)?;
             writeln!(out)?;

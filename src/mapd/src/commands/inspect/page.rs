@@ -27,6 +27,12 @@ pub(super) fn write(facts: &Inspection, tables: bool, out: &mut dyn Write) -> Re
     facts.objects.print(out)?;
     facts.besides.print(out)?;
     place(map, out)?;
+    match &facts.findings {
+        Some(findings) => findings.print(&facts.source, out)?,
+        None => {
+            writeln!(out, "findings      not in an archive: `mapd check` of its file tells them")?
+        }
+    }
     left_out(&facts.quarantined, out)?;
     let size = decimal_size(facts.bytes as f64);
     let density = decimal_size(map.bytes_per_road_km);

@@ -5,7 +5,7 @@ mod follow;
 
 use crate::args::{DomainArgs, Seconds, not_negative};
 use crate::clock::since_epoch;
-use crate::control::{ListedEntry, OverlayAction, OverlayReport, Request, Response, ask};
+use crate::control::{AskError, ListedEntry, OverlayAction, OverlayReport, Request, Response, ask};
 use crate::exit::{Exit, UsageError, explained};
 use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
@@ -51,7 +51,7 @@ enum Action {
         /// Of a feed, how far beside its lines lanes may lie [m]
         #[arg(long, value_name = "M", default_value_t = WZDX_TOLERANCE, value_parser = tolerance)]
         tolerance: f64,
-        /// The entries are all that this feed says now: of what it said before, the rest is removed [default for WZDx: the file's name]
+        /// Replace all earlier entries of this feed with these [default for WZDx: the file's name]
         #[arg(long, value_name = "NAME", conflicts_with = "watch")]
         feed: Option<String>,
         /// Go on: apply the file, or each file of a folder, whenever it changes; what it has no more is removed
@@ -225,7 +225,7 @@ impl OverlayCommand {
                 bail!(UsageError(format!("map {:?}: {reason}; nothing is changed", self.name)))
             }
             Response::Refused { reason } => bail!("map {:?}: {reason}", self.name),
-            _ => bail!("map {:?}: the daemon answers something else", self.name),
+            _ => bail!(AskError::Unexpected { map: self.name.clone() }),
         }
     }
 }
@@ -238,8 +238,11 @@ fn tolerance(text: &str) -> Result<f64, String> {
     })
 }
 
-/// The signature beside a file, if there is one: whether it must be there is the daemon's to say.
+/// The signature beside a file, if there is one: whether it must be there is the daemon's to say. What stdin says has none.
 fn signature(file: &Path) -> Result<Option<String>> {
+    if file == Path::new("-") {
+        return Ok(None);
+    }
     match read_signature(file) {
         Ok(signature) => Ok(Some(signature)),
         Err(TrustError::Unsigned { reason, .. }) if reason.kind() == io::ErrorKind::NotFound => {

@@ -202,15 +202,15 @@ fn one_kind(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
 }
 
 /// The curves of an outline that the map is built of, with their tags.
-fn curves(outline: &Outline) -> Vec<(LocalCurve, Span)> {
+fn curves(outline: &Outline) -> Vec<Option<(LocalCurve, Span)>> {
     let written = outline.curve_local.iter();
-    written.filter_map(|curve| Some((local_curve(curve)?, curve.span))).collect()
+    written.map(|curve| Some((local_curve(curve)?, curve.span))).collect()
 }
 
 fn continuous(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     for outline in all(of.object) {
         for pair in curves(outline).windows(2) {
-            let [(curve, _), (next, span)] = pair else { continue };
+            let [Some((curve, _)), Some((next, span))] = pair else { continue };
             let LocalCurve { start, length, ref primitive } = *curve;
             let Ok(compiled) = compile(primitive, length) else { continue };
             let Some(shape) = Curve::new(compiled.kind, start, length, &compiled.coefficients)
@@ -233,7 +233,7 @@ fn continuous(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn length_match(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
-    for (curve, span) in all(of.object).flat_map(curves) {
+    for (curve, span) in all(of.object).flat_map(curves).flatten() {
         let Ok(compiled) = compile(&curve.primitive, curve.length) else { continue };
         let longer = compiled.length_mismatch;
         if longer.abs() > LENGTH.value {

@@ -2,13 +2,13 @@
 //!
 //! The map is a generated town; half of the entries close a lane, half slow one down: nearly a third of those that cars use. In one overlay each holds for a whole
 //! lane, in another one for the middle third of one, which cuts the lane, and those beside it, into three; in one they are about trucks, while cars ask. Ways around
-//! what is closed are searched longer, however they are searched: so those under whole lanes that are still there are also compared with the map's own search, which is
-//! told of the same by factors of lanes, and must find the same costs.
+//! what is closed are searched longer, however they are searched: so the routes that the overlay of whole lanes leaves possible are also compared with the map's own search, which is
+//! told the same by factors of lanes, and must find their costs to a thousandth.
 
-use super::{counted, exceeds};
-use mapd_benches::{Random, print};
+use super::{counted, exceeds, print};
 use mapd_client::vocabulary::{LaneType, VehicleClass};
 use mapd_client::{Lane, Map, Snapshot};
+use mapd_tests::maps::Random;
 use std::path::Path;
 
 /// Blocks of the town, in either direction: about 57,000 lanes.

@@ -5,15 +5,15 @@
 
 mod views;
 
-use mapd_benches::print;
 use mapd_compiler::{CompileOptions, compile};
+use std::io::Write;
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
 /// Queries of the short and of the long run.
 const RUNS: [usize; 2] = [500, 2_500];
 
-/// Kinds of [`query_probe`](planner/src/bin/query_probe.rs) and the instructions that one query may take on the carried town:
+/// Kinds of [`query_probe`](../planner/src/bin/query_probe.rs) and the instructions that one query may take on the carried town:
 /// what it took when the bound was set, and a twentieth.
 const BOUNDS: [(&str, u64); 12] = [
     ("nearest", 3_980),
@@ -35,7 +35,7 @@ const PARTICLE: f64 = 1_400.0;
 /// How many batches of particles, in the short and in the long run.
 const CLOUDS: [usize; 2] = [1, 3];
 
-/// Kinds of [`path_probe`](planner/src/bin/path_probe.rs), on a path of at least 500 m over the carried town and between its ends, as for queries.
+/// Kinds of [`path_probe`](../planner/src/bin/path_probe.rs), on a path of at least 500 m over the carried town and between its ends, as for queries.
 const PATH_BOUNDS: [(&str, u64); 10] = [
     ("project", 970),
     ("at", 3_140),
@@ -50,7 +50,7 @@ const PATH_BOUNDS: [(&str, u64); 10] = [
 ];
 /// Instructions that one point may take in a batch of 1,000, as for queries.
 const PATH_POINT: f64 = 1_250.0;
-/// How many points a batch of [`path_probe`](planner/src/bin/path_probe.rs) has, and how many batches.
+/// How many points a batch of [`path_probe`](../planner/src/bin/path_probe.rs) has, and how many batches.
 const PATH_POINTS: f64 = 1_000.0;
 const PATH_BATCHES: [usize; 2] = [1, 3];
 /// Questions of the short and of the long run.
@@ -111,6 +111,12 @@ fn counted(program: &str, args: &[&str], runs: [usize; 2]) -> f64 {
     long.saturating_sub(short) as f64 / (runs[1] - runs[0]) as f64
 }
 
+/// Prints a line of results.
+fn print(line: &str) {
+    // A closed stdout ends the benchmark's purpose, not the benchmark.
+    let _ = writeln!(std::io::stdout(), "{line}");
+}
+
 /// Tells a figure; whether it is beyond its bound.
 fn exceeds(what: &str, found: f64, bound: f64, digits: usize) -> bool {
     let mark = if found > bound { ": EXCEEDED" } else { "" };
@@ -148,7 +154,7 @@ fn main() -> ExitCode {
         exceeded |= exceeds(kind, counted(&probe, &[&path, kind], RUNS), bound as f64, 0);
     }
     let particle =
-        |kind: &str| counted(&probe, &[&path, kind], CLOUDS) / mapd_benches::PARTICLES as f64;
+        |kind: &str| counted(&probe, &[&path, kind], CLOUDS) / mapd_planner::PARTICLES as f64;
     let (batch, single) = (particle("cloud"), particle("cloud-single"));
     exceeded |= exceeds("cloud, per particle", batch, PARTICLE, 0);
     print(&format!("the same one by one: {single:.0}, {:.1} ×", single / batch));
@@ -159,7 +165,7 @@ fn main() -> ExitCode {
     let batch = counted(&path_probe, &[&path, "project-batch"], PATH_BATCHES);
     exceeded |= exceeds("path, a point of a batch", batch / PATH_POINTS, PATH_POINT, 0);
     let patch = folder.path().join("patch.xodr");
-    std::fs::write(&patch, mapd_benches::own_roads(&text)).expect("the patch is written");
+    std::fs::write(&patch, mapd_tests::maps::own_roads(&text)).expect("the patch is written");
     let [plain, patched] = ["-".into(), patch.to_string_lossy()]
         .map(|patch| counted(env!("CARGO_BIN_EXE_compile_probe"), &[&town, &patch], COMPILATIONS));
     exceeded |= exceeds("compile, per byte", plain / text.len() as f64, PER_BYTE, 1);
