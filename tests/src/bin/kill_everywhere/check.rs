@@ -10,6 +10,9 @@ use std::time::{Duration, Instant};
 /// Longest time until what a killed client held has been given back: some rounds of the daemon.
 const SETTLE: Duration = Duration::from_secs(20);
 
+/// Wait that makes a client its listener: nothing is to come.
+const LISTENS: Duration = Duration::from_millis(50);
+
 /// A point in the middle of a lane of `one_road`.
 const POINT: DVec2 = DVec2::new(10.0, -1.5);
 
@@ -49,7 +52,11 @@ impl Follower {
     fn new(stage: &Stage, attach: Attach) -> Checked<Self> {
         let client = stage.client(attach, ATTACH_DEADLINE);
         let client = client.map_err(|error| format!("the witness, {attach:?}: {error}"))?;
-        let held = client.snapshot();
+        // Once it waits, it holds a listener, too. From the start, or its files would look like what a killed process left.
+        let held = match client.wait_next(LISTENS) {
+            Ok(newer) => newer,
+            Err(_) => client.snapshot(),
+        };
         let lane = answer(&held)?;
         Ok(Self { client, held, lane })
     }
