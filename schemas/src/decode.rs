@@ -81,6 +81,59 @@ pub fn decode(root: &Path, tables: &[Lying<'_>]) -> Result<Vec<Rows>> {
     Ok(out)
 }
 
+/// Where a field lies in the rows of its table.
+#[derive(Clone, Debug)]
+pub struct FieldPlace {
+    /// Name of the table.
+    pub table: String,
+    /// The table's number in the directory.
+    pub number: u32,
+    /// Bytes of a row.
+    pub row_bytes: usize,
+    /// Name of the field; empty for a table of plain numbers.
+    pub name: String,
+    /// Type of the field, of an array that of its elements: `u8`, `f64`, `range` (two u32: first and count).
+    pub kind: String,
+    /// Number of elements: 1 unless it is an array.
+    pub count: usize,
+    /// Bytes of an element.
+    pub element_bytes: usize,
+    /// Where the field begins in a row \[bytes\].
+    pub offset: usize,
+}
+
+/// All fields of the layout of a workspace, table by table, but for reserved ones.
+///
+/// Errors: the layout cannot be read.
+pub fn fields(root: &Path) -> Result<Vec<FieldPlace>> {
+    let layout = Layout::read(&root.join("schemas/archive.toml"))?;
+    let mut out = Vec::new();
+    for table in layout.by_number() {
+        let plain = table.scalar.iter().map(|kind| (String::new(), kind.clone()));
+        let fields = table.fields.iter().map(|field| (field.name.clone(), field.kind.clone()));
+        let mut offset = 0;
+        for (name, kind) in plain.chain(fields) {
+            let bytes = size_of(&kind)?.bytes;
+            let element = array_of(&kind).map_or(kind.as_str(), |(element, _)| element);
+            let element_bytes = size_of(element)?.bytes;
+            if name != "reserved" {
+                out.push(FieldPlace {
+                    table: table.name.clone(),
+                    number: table.number,
+                    row_bytes: table.element_bytes(),
+                    name,
+                    kind: element.to_owned(),
+                    count: bytes / element_bytes.max(1),
+                    element_bytes,
+                    offset,
+                });
+            }
+            offset += bytes;
+        }
+    }
+    Ok(out)
+}
+
 fn number_of(bytes: &[u8]) -> u32 {
     bytes.iter().rev().fold(0, |all, byte| all << 8 | u32::from(*byte))
 }

@@ -339,7 +339,11 @@ impl<'a> Lane<'a> {
         std::iter::successors(self.beside(step), move |lane| lane.beside(step))
     }
 
+    /// The next lane but lane 0, by so many rows; none by none, as for lane 0, which has no side.
     fn beside(&self, step: i64) -> Option<Lane<'a>> {
+        if step == 0 {
+            return None;
+        }
         let mut at = i64::from(self.number);
         loop {
             at += step;

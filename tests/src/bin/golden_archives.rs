@@ -24,13 +24,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     for golden in golden_maps::all() {
         let file =
             releases::golden().join(format!("{}-{}.mapd", env!("CARGO_PKG_VERSION"), golden.name));
-        if file.exists() {
-            continue;
+        if !file.exists() {
+            fs::write(&file, golden.compile()?)?;
         }
-        let bytes = golden.compile()?;
-        fs::write(&file, &bytes)?;
-        let snapshot = Snapshot::from_bytes(bytes)?;
-        fs::write(file.with_extension("txt"), releases::answers(snapshot.map())?)?;
+        for (extension, text) in releases::texts(Snapshot::open(&file)?.map())? {
+            let file = file.with_extension(extension);
+            if !file.exists() {
+                fs::write(file, text)?;
+            }
+        }
     }
     let name = format!("{}-furnished", env!("CARGO_PKG_VERSION"));
     let file = releases::golden().join(format!("{name}.overlay"));

@@ -3,5 +3,6 @@
 mod constant_time;
 mod corruption;
 mod extremes;
+mod facts;
 mod regressions;
 mod releases;

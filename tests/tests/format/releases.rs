@@ -7,7 +7,9 @@ use mapd_archive::{
 use mapd_client::Snapshot;
 use mapd_compiler::{Compilation, CompileOptions, compile};
 use mapd_tests::damage::{ask_everything, seal};
-use mapd_tests::releases::{MOMENT, Parts, UNKNOWN_TABLE, answers, answers_today, golden, kept};
+use mapd_tests::releases::{
+    MOMENT, Parts, UNKNOWN_TABLE, answers, answers_today, golden, kept, texts,
+};
 use mapd_tests::{carried, crossroads};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -47,11 +49,14 @@ fn archives_of_released_layouts_are_read_and_answer_as_ever() {
     for path in kept {
         let bytes = read(&path);
         verify(&bytes).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let expected = std::fs::read_to_string(path.with_extension("txt")).expect("readable");
-        let found = answers_of(bytes.clone());
-        let differs = found.lines().zip(expected.lines()).find(|(found, due)| found != due);
-        assert_eq!(differs, None, "{}", path.display());
-        assert_eq!(found.lines().count(), expected.lines().count(), "{}", path.display());
+        let snapshot = Snapshot::from_bytes(bytes.clone()).expect("opens");
+        for (extension, found) in texts(snapshot.map()).expect("text") {
+            let path = path.with_extension(extension);
+            let expected = std::fs::read_to_string(&path).expect("readable");
+            let differs = found.lines().zip(expected.lines()).find(|(found, due)| found != due);
+            assert_eq!(differs, None, "{}", path.display());
+            assert_eq!(found.lines().count(), expected.lines().count(), "{}", path.display());
+        }
         ask_everything(bytes);
     }
 }
