@@ -32,6 +32,12 @@ const NAMED_SIGN: &str = r#"<objects><object id="1" name="Speed_30" s="5" t="-4"
 const BROKEN_TREE: &str =
     r#"<objects><object id="2" type="tree" s="here" t="4" zOffset="0" radius="1"/></objects>"#;
 
+/// A limit in towns.
+const TOWN: &str = r#"<defaultRegulations><roadRegulations type="town"><semantics><speed type="maximum" value="50" unit="km/h"/></semantics></roadRegulations></defaultRegulations>"#;
+
+/// A zone, and within it a limit that ends with the junction behind.
+const SPEED_SIGNS: &str = r#"<signals><signal id="Z" s="4" t="-4" zOffset="2" orientation="+" dynamic="no" country="DE" type="274.1" subtype="-1" value="30" unit="km/h"/><signal id="V" s="6" t="-4" zOffset="2" orientation="+" dynamic="no" country="DE" type="274" subtype="-1" value="20" unit="km/h"/></signals>"#;
+
 /// A file that a map includes, with a broken road.
 const BROKEN_PART: &str = "broken.xml";
 
@@ -53,6 +59,21 @@ pub fn all() -> Vec<GoldenMap> {
         map("furnished", crossroads::furnished()),
         map("objects", read(carried("objects.xodr"))),
         map("roundabout", roundabout(GROUP)),
+        map("surfaces", read(carried("surfaces.xodr"))),
+        map("speeds", {
+            let (before, behind) =
+                (road("1", 0.0, "", SPEED_SIGNS, ""), road("2", 0.0, "", "", ""));
+            let linked = linked(&before, "successor", "2", "start")
+                + &linked(&behind, "predecessor", "1", "end")
+                    .replace("s=\"0\" x=\"0\"", "s=\"0\" x=\"10\"");
+            let town = road("3", 9.0, "", "", "")
+                .replace("<planView>", "<type s=\"0\" type=\"town\"/><planView>");
+            document(9, TOWN, &(linked + &town))
+        }),
+        map("half-broken", {
+            let wide = road("2", 9.0, "", "", "").replace("a=\"3\"", "a=\"wide\"");
+            document(8, "", &(road("1", 0.0, "", "", "") + &wide))
+        }),
         map("named-sign", document(8, "", &road("1", 0.0, "", NAMED_SIGN, ""))),
         map("broken", {
             let sound = road("1", 0.0, "", BROKEN_TREE, "");
@@ -63,6 +84,15 @@ pub fn all() -> Vec<GoldenMap> {
     ];
     maps.extend(COVERAGE.map(|name| map(&format!("all-{name}"), covered(name))));
     maps
+}
+
+/// A road with a link of its own and of its lane.
+fn linked(road: &str, to: &str, id: &str, contact: &str) -> String {
+    let link = format!(
+        "<link><{to} elementType=\"road\" elementId=\"{id}\" contactPoint=\"{contact}\"/></link>"
+    );
+    road.replace("<planView>", &format!("{link}<planView>"))
+        .replace("<width", &format!("<link><{to} id=\"-1\"/></link><width"))
 }
 
 /// A road whose length is no number.

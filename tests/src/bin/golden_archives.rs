@@ -5,6 +5,7 @@ use mapd_client::Snapshot;
 use mapd_tests::{golden_maps, overlays, releases};
 use std::error::Error;
 use std::fs;
+use std::path::Path;
 use std::time::UNIX_EPOCH;
 
 /// Something of each kind, on the map `furnished`; one entry holds on another day.
@@ -26,14 +27,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             releases::golden().join(format!("{}-{}.mapd", env!("CARGO_PKG_VERSION"), golden.name));
         if !file.exists() {
             fs::write(&file, golden.compile()?)?;
-        }
-        for (extension, text) in releases::texts(Snapshot::open(&file)?.map())? {
-            let file = file.with_extension(extension);
-            if !file.exists() {
-                fs::write(file, text)?;
-            }
+            write_texts(&file)?;
         }
     }
+    // Archives of earlier releases have the texts of their time; a new kind of text begins with this one.
+    releases::kept().iter().try_for_each(|file| write_texts(file))?;
     let name = format!("{}-furnished", env!("CARGO_PKG_VERSION"));
     let file = releases::golden().join(format!("{name}.overlay"));
     if !file.exists() {
@@ -46,6 +44,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         let snapshot = map.with_overlay(bytes)?;
         let answers = releases::answers_today(snapshot.view(UNIX_EPOCH + releases::MOMENT))?;
         fs::write(releases::golden().join(format!("{name}.overlay.txt")), answers)?;
+    }
+    Ok(())
+}
+
+/// Writes the texts of an archive that it does not have yet.
+fn write_texts(archive: &Path) -> Result<(), Box<dyn Error>> {
+    for (extension, text) in releases::texts(Snapshot::open(archive)?.map())? {
+        let file = archive.with_extension(extension);
+        if !file.exists() {
+            fs::write(file, text)?;
+        }
     }
     Ok(())
 }

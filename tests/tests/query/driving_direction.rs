@@ -2,7 +2,8 @@
 
 use mapd_client::{Map, Track, glam::DVec2};
 use mapd_query::{Clamped, QueryError};
-use mapd_tests::maps::{carried_and, open};
+use mapd_tests::annotated::{document, road};
+use mapd_tests::maps::{carried_and, open, open_text};
 
 /// Lanes on either side of lane 0, on straight and bent roads, in left-hand traffic too.
 const MAPS: [&str; 3] = ["carla/Town05", "sumo/lefthand_netconvert", "esmini/e6mini"];
@@ -129,4 +130,12 @@ fn what_is_no_place_is_an_error_and_what_lies_outside_is_clamped_and_said() {
         let whole = road.to_inertial(Track { s: 1e7, t: 0.0, h: 0.0 }).expect("a pose");
         assert_eq!(whole.clamped, Clamped::After);
     });
+}
+
+/// Lane 0 has no side: its search for the next lane once took steps of none, without an end.
+#[test]
+fn lane_0_has_no_opposite() {
+    let snapshot = open_text(&document(8, "", &road("1", 0.0, "", "", "")));
+    let section = snapshot.map().road_by_id("1").and_then(|road| road.section(0)).expect("one");
+    assert!(section.lane(0).expect("lane 0").opposite().is_none());
 }

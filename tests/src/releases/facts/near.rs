@@ -11,6 +11,8 @@ use mapd_query::vocabulary::ClassSet;
 const POINTS: usize = 3;
 /// How far around a point \[m\].
 const RADIUS: f64 = 25.0;
+/// How far in height \[m\].
+const LEVEL: f64 = 1.0;
 
 pub(super) fn facts(map: Map<'_>, lines: &mut Lines) {
     let Bounds { low, high } = map.bounds();
@@ -41,6 +43,14 @@ fn lanes(map: Map<'_>, point: DVec2, lines: &mut Lines) {
             .with("heading", Fine(at.heading))
             .with("clamped", at.clamped);
     }
+    // On the map's lowest level alone.
+    let options = NearestOptions { z_tolerance: Some(LEVEL), ..options };
+    let low = point.extend(map.bounds().low.z);
+    if let Ok(Some(one)) = map.nearest_lane(low, &options) {
+        lines
+            .about(format_args!("near lane below {}", key(map, one.lane)))
+            .with("s", one.position.s);
+    }
     if let Ok(Some(mark)) = map.nearest_mark(point, &MarkFilter::default()) {
         lines
             .about(format_args!("near mark {}", mark.kind.name()))
@@ -65,7 +75,9 @@ fn signals(map: Map<'_>, point: DVec2, lines: &mut Lines) {
     let _ = map.signals_in(Region::around(point, RADIUS), &mut inside);
     let id = |id| map.signal(id).map(|signal| signal.id()).unwrap_or_default();
     for one in &near {
-        lines.about(format_args!("near signal {:?}", id(one.signal))).with("distance", one.distance);
+        lines
+            .about(format_args!("near signal {:?}", id(one.signal)))
+            .with("distance", one.distance);
     }
     // A region answers in the index's order, which is no promise.
     let mut inside: Vec<_> = inside.into_iter().map(id).collect();

@@ -165,9 +165,7 @@ fn railways(map: Map<'_>, lines: &mut Lines) {
             .with("name", station.name())
             .with("type", station.type_name());
         for platform in station.platforms() {
-            lines
-                .about(format_args!("platform {:?}", platform.id()))
-                .with("name", platform.name());
+            lines.about(format_args!("platform {:?}", platform.id())).with("name", platform.name());
             for segment in platform.segments() {
                 lines
                     .about("platform segment")

@@ -28,6 +28,7 @@ pub(super) fn facts(map: Map<'_>, lines: &mut Lines) {
     for junction in map.junctions() {
         of_junction(map, junction, lines);
     }
+    in_tables(map, lines);
     for group in map.junction_groups() {
         let members = group.members();
         let members = members.map(|one| (one.id(), one.junction().map(|junction| junction.id())));
@@ -115,6 +116,22 @@ fn course(map: Map<'_>, road: Road<'_>, lines: &mut Lines) {
                 .with("normal", surface.normal.to_array().map(Fine))
                 .with("material", surface.material.map(|material| material.surface));
         }
+    }
+}
+
+/// What no query tells, but who reads the tables.
+fn in_tables(map: Map<'_>, lines: &mut Lines) {
+    let tables = map.tables();
+    let road = |row: u32| map.roads().find(|road| road.road_id().row() == row);
+    let junction = |row: u32| map.junctions().find(|one| one.junction_id().row() == row);
+    for row in tables.junction_priorities {
+        lines
+            .about("priority")
+            .with("junction", junction(row.junction()).map(|junction| junction.id()))
+            .with("roads", [road_id(road(row.high())), road_id(road(row.low()))]);
+    }
+    for row in tables.junctions {
+        lines.about("junction as written").with("kind", row.kind()).with("line", row.line());
     }
 }
 
