@@ -85,29 +85,41 @@ fn index(tables: &Tables<'_>) -> Result<(), VerifyError> {
     let objects = tables.objects.len();
     let is_template =
         |item: usize| tables.objects.get(item).is_some_and(|object| object.copies().count > 0);
-    let index = (
-        ["object_index_levels", "object_index_items"],
-        tables.object_index_levels,
-        tables.object_index_nodes.len(),
-        tables.object_index_items,
-    );
+    let index = PackedIndex {
+        levels_name: "object_index_levels",
+        levels: tables.object_index_levels,
+        nodes: tables.object_index_nodes.len(),
+        items_name: "object_index_items",
+        items: tables.object_index_items,
+    };
     each_once(index, objects + tables.object_copies.len(), |item| !is_template(item))
 }
 
 /// The signals' index is a complete tree that holds every signal once.
 pub(crate) fn signal_index(tables: &Tables<'_>) -> Result<(), VerifyError> {
-    let index = (
-        ["signal_index_levels", "signal_index_items"],
-        tables.signal_index_levels,
-        tables.signal_index_nodes.len(),
-        tables.signal_index_items,
-    );
+    let index = PackedIndex {
+        levels_name: "signal_index_levels",
+        levels: tables.signal_index_levels,
+        nodes: tables.signal_index_nodes.len(),
+        items_name: "signal_index_items",
+        items: tables.signal_index_items,
+    };
     each_once(index, tables.signals.len(), |_| true)
+}
+
+/// A packed index over places, with the names of its tables.
+struct PackedIndex<'a> {
+    levels_name: &'static str,
+    levels: &'a [u32],
+    /// Number of its nodes.
+    nodes: usize,
+    items_name: &'static str,
+    items: &'a [u32],
 }
 
 /// A packed index is a complete tree over each of `count` things that belong into it, once.
 fn each_once(
-    ([levels_name, table], levels, nodes, items): ([&'static str; 2], &[u32], usize, &[u32]),
+    PackedIndex { levels_name, levels, nodes, items_name: table, items }: PackedIndex<'_>,
     count: usize,
     belongs: impl Fn(usize) -> bool,
 ) -> Result<(), VerifyError> {

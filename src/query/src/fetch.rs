@@ -3,6 +3,7 @@
 //! A lane's row names its section, that its road, that its records: in a map that no cache holds each step waits for memory.
 //! Taken step by step for all candidates at once, the waits of a step pass side by side.
 
+use crate::index::LaneSegment;
 use mapd_archive::{Range, Tables};
 use std::hint::black_box;
 
@@ -11,10 +12,10 @@ pub(crate) const TOGETHER: usize = 8;
 
 /// Reads ahead what it takes to decide whether lanes hold a point; lanes that the map does not have count for nothing.
 #[inline]
-pub(crate) fn fetch(tables: &Tables<'_>, places: &[(u32, u16)]) {
+pub(crate) fn fetch(tables: &Tables<'_>, places: &[LaneSegment]) {
     let mut lanes = [None; TOGETHER];
-    for (lane, (row, _)) in lanes.iter_mut().zip(places) {
-        *lane = tables.lanes.get(*row as usize);
+    for (lane, place) in lanes.iter_mut().zip(places) {
+        *lane = tables.lanes.get(place.lane as usize);
     }
     let mut sections = [None; TOGETHER];
     for (section, lane) in sections.iter_mut().zip(lanes).take(places.len()) {
@@ -26,13 +27,13 @@ pub(crate) fn fetch(tables: &Tables<'_>, places: &[(u32, u16)]) {
     }
     let middle = |range: Range| (range.first.wrapping_add(range.count / 2)) as usize;
     let mut geometries = [None; TOGETHER];
-    for (i, (_, segment)) in places.iter().enumerate().take(TOGETHER) {
+    for (i, place) in places.iter().enumerate().take(TOGETHER) {
         let (Some(road), Some(section), Some(lane)) = (roads[i], sections[i], lanes[i]) else {
             continue;
         };
         geometries[i] = tables.geometries.get(middle(road.geometries()));
         let record = |row: usize| tables.cubics.get(row).map(|record| record.s());
-        let segment = usize::from(*segment);
+        let segment = usize::from(place.segment);
         black_box((
             tables.points.get(lane.first_byte() as usize + segment),
             tables.point_stations.get(section.first_station() as usize + segment),

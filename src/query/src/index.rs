@@ -220,6 +220,20 @@ pub(crate) fn visit_around<'a>(
     }
 }
 
+/// A segment of a lane's centre line, as a leaf names it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct LaneSegment {
+    /// Row of the lane.
+    pub(crate) lane: u32,
+    /// Number of the segment within the centre line.
+    pub(crate) segment: u16,
+}
+
+impl LaneSegment {
+    /// Of no lane.
+    pub(crate) const NONE: Self = Self { lane: NONE, segment: 0 };
+}
+
 /// Visits every leaf that may hold something of a box (relative to the local origin, smallest and largest coordinates).
 pub(crate) fn visit_box<'a>(
     tables: &Tables<'a>,
@@ -232,7 +246,8 @@ pub(crate) fn visit_box<'a>(
         Some([node.min_x(), node.min_y(), node.max_x(), node.max_y()])
     };
     let most = tables.index_nodes.len() + tables.index_leaves.len();
-    packed::visit_box((tables.index_levels, most), node, [low, high], |leaf| {
+    let levels = packed::Levels { starts: tables.index_levels, most };
+    packed::visit_box(levels, node, [low, high], |leaf| {
         tables.index_leaves.get(leaf as usize).into_iter().for_each(&mut visit);
     });
 }

@@ -1,7 +1,7 @@
 //! All lanes near a point.
 
 use crate::error::QueryError;
-use crate::index;
+use crate::index::{self, LaneSegment};
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::nearest::{Nearest, NearestOptions, round_up};
@@ -40,7 +40,8 @@ impl<'a> Map<'a> {
                 if f64::from(lower[k]) > most {
                     continue;
                 }
-                let found = self.candidate((lanes[k], segments[k]), point, local, options);
+                let stretch = LaneSegment { lane: lanes[k], segment: segments[k] };
+                let found = self.candidate(stretch, point, local, options);
                 let found = found.filter(|found| found.distance() <= most);
                 let Some(found) = found.and_then(|found| found.nearest(*self)) else { continue };
                 match known.and_then(|at| out.get_mut(at)) {
@@ -72,7 +73,8 @@ impl<'a> Map<'a> {
             let lower = index::lower_bounds(leaf, qx, qy, heights);
             for k in (0..lower.len()).filter(|k| lower[*k] <= bound) {
                 let Some(lane) = Lane::new(*self, lanes[k]).filter(&counts) else { continue };
-                let found = self.candidate((lanes[k], segments[k]), point, local, options);
+                let stretch = LaneSegment { lane: lanes[k], segment: segments[k] };
+                let found = self.candidate(stretch, point, local, options);
                 let found = found.filter(|found| found.distance() <= 0.0);
                 if let Some(nearest) = found.and_then(|found| found.nearest(*self)) {
                     each(&lane, nearest.position.s);

@@ -4,13 +4,13 @@ use crate::area::{self, Cross, Slab, SlabPosition};
 use crate::error::QueryError;
 use crate::fetch::{TOGETHER, fetch};
 use crate::ids::LaneId;
-use crate::index;
+use crate::index::{self, LaneSegment};
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::rank::Rank;
 use crate::types::{LanePosition, Point};
 use glam::DVec2;
-use mapd_archive::{LaneType, NONE, VehicleClass};
+use mapd_archive::{LaneType, VehicleClass};
 use mapd_geometry::{clamp, normalize_angle};
 use std::cmp::Ordering;
 
@@ -303,13 +303,13 @@ impl<'a> Map<'a> {
     ) -> Option<Candidate<'a>> {
         let heights = options.heights(point);
         let mut best = Best::default();
-        let mut decide = |places: &[(u32, u16)]| {
+        let mut decide = |places: &[LaneSegment]| {
             fetch(self.tables(), places);
             for place in places {
                 best.consider(self.candidate_around(*place, point, local, options), *self, options);
             }
         };
-        let mut around = [(NONE, 0); TOGETHER];
+        let mut around = [LaneSegment::NONE; TOGETHER];
         let mut count = 0;
         index::visit_around(self.tables(), local, heights, |leaf, qx, qy| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
@@ -321,7 +321,7 @@ impl<'a> Map<'a> {
                     decide(&around);
                     count = 0;
                 }
-                around[count] = (lanes[k], segments[k]);
+                around[count] = LaneSegment { lane: lanes[k], segment: segments[k] };
                 count += 1;
             }
         });
@@ -355,7 +355,7 @@ impl<'a> Map<'a> {
             // The most promising comes first: what it yields excludes most of the others before they cost a projection.
             while let Some(k) = index::least(&lower, open) {
                 open &= !(1 << k);
-                let place = (lanes[k], segments[k]);
+                let place = LaneSegment { lane: lanes[k], segment: segments[k] };
                 if hinted != Some(place) {
                     best.consider(self.candidate(place, point, local, options), *self, options);
                 }
@@ -368,11 +368,11 @@ impl<'a> Map<'a> {
     }
 
     /// The stretch of a lane that a hint names.
-    fn hinted(&self, hint: &Nearest) -> Option<(u32, u16)> {
+    fn hinted(&self, hint: &Nearest) -> Option<LaneSegment> {
         // Queries in space leave temporary lanes out.
         let lane = self.lane(hint.lane).ok().filter(|lane| !lane.is_temporary())?;
         let segment = u16::try_from(area::segment_at(&lane, hint.position.s)?).ok()?;
-        Some((hint.lane.row(), segment))
+        Some(LaneSegment { lane: hint.lane.row(), segment })
     }
 
     /// What a place on a lane is compared by.
@@ -403,13 +403,14 @@ impl<'a> Map<'a> {
     #[inline]
     pub(crate) fn candidate(
         &self,
-        (lane, segment): (u32, u16),
+        stretch: LaneSegment,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
     ) -> Option<Candidate<'a>> {
-        let lane = Lane::new(*self, lane).filter(|lane| options.types.contains(lane.kind()))?;
-        let slab = area::slab(&lane, usize::from(segment))?;
+        let lane = Lane::new(*self, stretch.lane);
+        let lane = lane.filter(|lane| options.types.contains(lane.kind()))?;
+        let slab = area::slab(&lane, usize::from(stretch.segment))?;
         Candidate::new(&lane, area::place(&lane, &slab, local), point, options)
     }
 
@@ -417,13 +418,14 @@ impl<'a> Map<'a> {
     #[inline]
     fn candidate_around(
         &self,
-        (lane, segment): (u32, u16),
+        stretch: LaneSegment,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
     ) -> Option<Candidate<'a>> {
-        let lane = Lane::new(*self, lane).filter(|lane| options.types.contains(lane.kind()))?;
-        let slab = area::slab(&lane, usize::from(segment))?;
+        let lane = Lane::new(*self, stretch.lane);
+        let lane = lane.filter(|lane| options.types.contains(lane.kind()))?;
+        let slab = area::slab(&lane, usize::from(stretch.segment))?;
         Candidate::around(&lane, &lane, &slab, (point, local), options)
     }
 }

@@ -10,16 +10,35 @@ const STACK: usize = 160;
 /// Smallest x and y, largest x and y of a node's children, relative to the local origin `[m]`.
 pub(crate) type Boxes<'a> = [&'a [f32; WIDTH]; 4];
 
+/// The levels of a packed tree.
+#[derive(Clone, Copy)]
+pub(crate) struct Levels<'a> {
+    /// First node of each level, root first, then the number of nodes.
+    pub(crate) starts: &'a [u32],
+    /// Number of nodes and places: of a damaged archive no more are visited.
+    pub(crate) most: usize,
+}
+
+/// An index over places as it lies in the archive.
+#[derive(Clone, Copy)]
+pub(crate) struct PackedIndex<'a> {
+    /// First node of each level, root first, then the number of nodes.
+    pub(crate) levels: &'a [u32],
+    /// The nodes, level by level.
+    pub(crate) nodes: &'a [ArchivedBoxNodeRow],
+    /// What lies below the last level.
+    pub(crate) items: &'a [u32],
+}
+
 /// Visits the number of every place below the last level whose box meets a box (smallest and largest coordinates, relative
-/// to the local origin). `levels` are the first nodes of each level and the number of nodes, `node` gives the boxes of a row.
-/// `most` is the number of nodes and places: of a damaged archive no more are visited.
+/// to the local origin). `node` gives the boxes of a row.
 pub(crate) fn visit_box<'a>(
-    (levels, most): (&[u32], usize),
+    Levels { starts, most }: Levels<'_>,
     node: impl Fn(usize) -> Option<Boxes<'a>>,
     [low, high]: [DVec2; 2],
     mut visit: impl FnMut(u32),
 ) {
-    let depth = levels.len().checked_sub(1).filter(|depth| (1..=LEVELS).contains(depth));
+    let depth = starts.len().checked_sub(1).filter(|depth| (1..=LEVELS).contains(depth));
     let Some(depth) = depth else { return };
     let mut stack = [(0u32, 0u32); STACK];
     let (mut top, mut visited) = (1, 0);
@@ -30,7 +49,7 @@ pub(crate) fn visit_box<'a>(
             visit(at);
             continue;
         }
-        let first = levels.get(level as usize).copied().unwrap_or(0);
+        let first = starts.get(level as usize).copied().unwrap_or(0);
         let Some(boxes) = node(first.wrapping_add(at) as usize) else { continue };
         let [min_x, min_y, max_x, max_y] = boxes;
         for k in 0..WIDTH {
@@ -52,7 +71,7 @@ pub(crate) fn visit_box<'a>(
 
 /// Visits every item of an index over places whose box meets a box, as [`visit_box`].
 pub(crate) fn visit_items(
-    (levels, nodes, items): (&[u32], &[ArchivedBoxNodeRow], &[u32]),
+    PackedIndex { levels, nodes, items }: PackedIndex<'_>,
     region: [DVec2; 2],
     mut visit: impl FnMut(u32),
 ) {
@@ -60,7 +79,8 @@ pub(crate) fn visit_items(
         let node = nodes.get(row)?;
         Some([node.min_x(), node.min_y(), node.max_x(), node.max_y()])
     };
-    visit_box((levels, nodes.len() + items.len()), node, region, |at| {
+    let levels = Levels { starts: levels, most: nodes.len() + items.len() };
+    visit_box(levels, node, region, |at| {
         items.get(at as usize).copied().into_iter().for_each(&mut visit);
     });
 }

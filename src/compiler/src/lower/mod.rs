@@ -34,7 +34,7 @@ use mapd_xodr::{
     Text as _, TrafficRule, Value as _,
 };
 use need::ElementContext;
-pub(crate) use objects::Owner;
+pub(crate) use objects::{ObjectContext, Owner};
 use objects::{assumed_unit, lanes, orientation};
 use sections::{Layer, OnRoad};
 use speeds::speed;

@@ -39,13 +39,21 @@ impl Owner<'_> {
     }
 }
 
+/// What objects are read with.
+pub(crate) struct ObjectContext<'o, P> {
+    /// What types and names mean.
+    pub(crate) ontology: &'o Ontology,
+    /// Line and column of a span.
+    pub(crate) position: P,
+}
+
 impl Draft {
     /// Takes the objects of a road or junction. One that cannot be placed is an error of its own.
     pub(crate) fn objects(
         &mut self,
         owner: Owner<'_>,
         objects: &xodr::Objects,
-        (ontology, position): (&Ontology, impl Fn(Span) -> Position),
+        ObjectContext { ontology, position }: ObjectContext<'_, impl Fn(Span) -> Position>,
         findings: &mut Vec<Finding>,
     ) {
         let base = owner.path();
@@ -93,7 +101,8 @@ impl Draft {
         &mut self,
         junction: &xodr::Junction,
         number: u32,
-        (ontology, position, line): (&Ontology, impl Fn(Span) -> Position, &ReferenceLine),
+        context: ObjectContext<'_, impl Fn(Span) -> Position>,
+        line: &ReferenceLine,
         findings: &mut Vec<Finding>,
     ) {
         let Some(objects) = junction.objects.as_deref().filter(|all| !all.object.is_empty()) else {
@@ -118,7 +127,7 @@ impl Draft {
             }
         }
         let owner = Owner::Junction(number, junction.id.text());
-        self.objects(owner, objects, (ontology, position), findings);
+        self.objects(owner, objects, context, findings);
     }
 
     fn object_row(

@@ -1,7 +1,7 @@
 //! Top-level elements, checked and lowered: one by one, or a batch of them by itself on any thread.
 
 use crate::draft::Draft;
-use crate::lower::Owner;
+use crate::lower::{ObjectContext, Owner};
 use crate::quarantine::Units;
 use crate::without::Without;
 use mapd_archive::AnnotationOwner;
@@ -119,7 +119,8 @@ pub(crate) fn lower(
             }
             if let Some(objects) = road.objects.as_deref() {
                 let owner = Owner::Road(number as u32, road.id.text());
-                draft.objects(owner, objects, (&ontology, position), findings);
+                let context = ObjectContext { ontology: &ontology, position };
+                draft.objects(owner, objects, context, findings);
             }
             let owner = (AnnotationOwner::Road, number as u32);
             draft.annotate(&*road, (owner, ""), places);
@@ -131,8 +132,8 @@ pub(crate) fn lower(
         }
         Item::Junction(junction) => {
             let number = draft.rows.junctions.len() as u32;
-            let with = (&*ontology, position, line);
-            draft.junction_objects(&junction, number, with, findings);
+            let context = ObjectContext { ontology: &ontology, position };
+            draft.junction_objects(&junction, number, context, line, findings);
             if junction.id.is_some() {
                 let owner = (AnnotationOwner::Junction, number);
                 draft.note_connections(&junction);

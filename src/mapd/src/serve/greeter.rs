@@ -16,12 +16,21 @@ const PATIENCE: Duration = Duration::from_millis(50);
 /// Time between two rounds.
 const ROUND: Duration = Duration::from_secs(1);
 
-/// Greets whoever rings, at once, until `stop` is set or the door bell rings; about once a second, next at `next_round`, says
-/// that the daemon lives, and calls `round`.
+/// What ends greeting.
+#[derive(Clone, Copy)]
+pub(crate) struct GreetUntil<'a> {
+    /// The daemon stops.
+    pub(crate) stop: &'a StopSignal,
+    /// The caller is wanted elsewhere, if that can happen.
+    pub(crate) door: Option<&'a Doorbell>,
+}
+
+/// Greets each client that rings, at once, until it is to end; about once a second, next at `next_round`, says that the daemon
+/// lives, and calls `round`.
 ///
 /// Errors: waiting fails; `round` fails.
 pub(crate) fn greet_until(
-    (stop, door): (&StopSignal, Option<&Doorbell>),
+    GreetUntil { stop, door }: GreetUntil<'_>,
     next_round: &mut Instant,
     maps: &BTreeMap<String, MapPorts>,
     lock: &AttachLock,
@@ -100,7 +109,14 @@ pub(crate) fn greeting_meanwhile<T>(
         let _at_end = StopAtEnd(&stop);
         // If it fails, or no thread can be had, newcomers wait until the work is done, as they would without it.
         let _ = std::thread::Builder::new().name("greet".to_owned()).spawn_scoped(scope, || {
-            greet_until((&stop, None), &mut Instant::now(), maps, lock, &|_| {}, &mut || Ok(()))
+            greet_until(
+                GreetUntil { stop: &stop, door: None },
+                &mut Instant::now(),
+                maps,
+                lock,
+                &|_| {},
+                &mut || Ok(()),
+            )
         });
         work()
     })

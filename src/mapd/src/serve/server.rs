@@ -4,7 +4,7 @@ use super::cleanup;
 use super::doorbell::Doorbell;
 use super::error::ServeError;
 use super::generations::Generations;
-use super::greeter::{greet_until, greeting_meanwhile};
+use super::greeter::{GreetUntil, greet_until, greeting_meanwhile};
 use super::memory;
 use super::notice::Notice;
 use super::orphans;
@@ -222,7 +222,7 @@ impl Server {
     ///
     /// Errors: the wait fails.
     pub fn run(&mut self, stop: &StopSignal) -> Result<(), ServeError> {
-        self.serve((stop, None))
+        self.serve(GreetUntil { stop, door: None })
     }
 
     /// As [`Server::run`], but returns as well when the bell is rung, at once, so that the caller may publish something and
@@ -230,7 +230,7 @@ impl Server {
     ///
     /// Errors: the wait fails.
     pub fn run_until(&mut self, stop: &StopSignal, door: &Doorbell) -> Result<(), ServeError> {
-        self.serve((stop, Some(door)))
+        self.serve(GreetUntil { stop, door: Some(door) })
     }
 
     /// Does something that waits for clients of this server, and greets them meanwhile.
@@ -240,7 +240,7 @@ impl Server {
         greeting_meanwhile(&self.maps, &self.lock, || Ok(work()))
     }
 
-    fn serve(&mut self, until: (&StopSignal, Option<&Doorbell>)) -> Result<(), ServeError> {
+    fn serve(&mut self, until: GreetUntil<'_>) -> Result<(), ServeError> {
         let mut next_round = self.next_round;
         let mut missed = self.rounds_missed.get();
         let served =

@@ -73,8 +73,11 @@ impl<'a> Map<'a> {
     /// Places whose boxes meet a rectangle.
     pub(crate) fn visit_places(&self, region: Region, mut visit: impl FnMut(ObjectPlacement<'a>)) {
         let (map, tables) = (*self, self.tables());
-        let index =
-            (tables.object_index_levels, tables.object_index_nodes, tables.object_index_items);
+        let index = packed::PackedIndex {
+            levels: tables.object_index_levels,
+            nodes: tables.object_index_nodes,
+            items: tables.object_index_items,
+        };
         packed::visit_items(index, region.local(self.origin()), |item| {
             if let Some(place) = map.place_of_item(item) {
                 visit(place);

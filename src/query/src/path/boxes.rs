@@ -34,6 +34,20 @@ impl Extent {
     }
 }
 
+/// Spans in a row: the rectangle around them, and where they begin and end along the path `[m]`.
+#[derive(Clone, Copy, Debug)]
+struct SpanBox {
+    extent: Extent,
+    along: [f64; 2],
+}
+
+impl SpanBox {
+    /// With those that follow.
+    fn with(self, next: Self) -> Self {
+        Self { extent: self.extent.with(next.extent), along: [self.along[0], next.along[1]] }
+    }
+}
+
 /// What single precision may cost a distance, as a share of it and of the coordinates.
 const ROUNDING: f64 = 1e-5;
 /// Coordinates have 24 bits; differences, products and roots take some of the last ones.
@@ -170,7 +184,7 @@ pub(super) struct Boxes {
     /// Where each level begins in `all`.
     levels: Vec<usize>,
     /// The boxes of a level, while they are made.
-    own: Vec<(Extent, [f64; 2])>,
+    own: Vec<SpanBox>,
 }
 
 impl Boxes {
@@ -202,16 +216,16 @@ impl Boxes {
             let own = some.iter().map(|span| {
                 let slack = DVec2::splat(span.slack);
                 let ends = span.ends.map(|end| end - origin);
-                (
-                    Extent::of(ends.iter().flat_map(|end| [*end - slack, *end + slack])),
-                    [span.along, span.end()],
-                )
+                SpanBox {
+                    extent: Extent::of(ends.iter().flat_map(|end| [*end - slack, *end + slack])),
+                    along: [span.along, span.end()],
+                }
             });
-            self.own.extend(own.reduce(with));
+            self.own.extend(own.reduce(SpanBox::with));
         }
-        let whole = self.own.iter().copied().reduce(with);
+        let whole = self.own.iter().copied().reduce(SpanBox::with);
         let farthest =
-            whole.map_or(0.0, |(own, _)| own.low.abs().max(own.high.abs()).max_element());
+            whole.map_or(0.0, |own| own.extent.low.abs().max(own.extent.high.abs()).max_element());
         self.rounding = COORDINATES * farthest;
         // Of each level the boxes above it are made, in place.
         while self.own.len() > 1 {
@@ -221,7 +235,7 @@ impl Boxes {
                 let end = self.own.len().min((number + 1) * WIDTH);
                 let some = self.own.get(number * WIDTH..end).unwrap_or(&[]);
                 let mut overs = Overs::NONE;
-                for (i, (own, along)) in some.iter().enumerate() {
+                for (i, SpanBox { extent: own, along }) in some.iter().enumerate() {
                     for axis in 0..2 {
                         overs.low[axis][i] = round_down(own.low[axis]);
                         overs.high[axis][i] = round_up(own.high[axis]);
@@ -229,7 +243,7 @@ impl Boxes {
                     overs.along.set(i, *along);
                 }
                 self.all.push(overs);
-                if let Some(own) = some.iter().copied().reduce(with)
+                if let Some(own) = some.iter().copied().reduce(SpanBox::with)
                     && let Some(place) = self.own.get_mut(number)
                 {
                     *place = own;
@@ -270,10 +284,6 @@ impl Boxes {
             }
         }
     }
-}
-
-fn with((a, from): (Extent, [f64; 2]), (b, to): (Extent, [f64; 2])) -> (Extent, [f64; 2]) {
-    (a.with(b), [from[0], to[1]])
 }
 
 /// To single precision, never larger.

@@ -6,12 +6,12 @@
 use super::along::center;
 use super::conflicts::PathConflict;
 use super::{Path, Piece, Span};
-use crate::index;
+use crate::index::{self, LaneSegment};
 use crate::lane::Lane;
 use crate::nearest::{NearestOptions, round_up};
 use crate::types::Point;
 use glam::DVec2;
-use mapd_archive::{ConflictKind, NONE};
+use mapd_archive::ConflictKind;
 
 /// Distance of the places of the driven line at which lanes of other roads are looked for `[m]`.
 pub(super) const STEP: f64 = 2.0;
@@ -24,7 +24,7 @@ const MOST_NEAR: usize = 64;
 
 /// Stretches of other roads' lanes near a chunk: row of the lane and number of the segment.
 struct Near {
-    stretches: [(u32, u16); MOST_NEAR],
+    stretches: [LaneSegment; MOST_NEAR],
     count: usize,
     /// Whether there was no room for all.
     is_full: bool,
@@ -118,7 +118,7 @@ impl<'a> Path<'a, '_> {
         for stretch in &near.stretches[..near.count] {
             let held = self.map.candidate(*stretch, point, local, &options);
             let held = held.filter(|held| held.distance() <= 0.0).and_then(|h| h.nearest(self.map));
-            if let Some((held, other)) = held.zip(Lane::new(self.map, stretch.0)) {
+            if let Some((held, other)) = held.zip(Lane::new(self.map, stretch.lane)) {
                 found(&other, held.position.s);
             }
         }
@@ -142,7 +142,7 @@ impl<'a> Path<'a, '_> {
             let beyond: DVec2 = at(shares[1]) - middle;
             (middle, beyond.length() + 3.0 * first.slack)
         };
-        let mut near = Near { stretches: [(NONE, 0); MOST_NEAR], count: 0, is_full: false };
+        let mut near = Near { stretches: [LaneSegment::NONE; MOST_NEAR], count: 0, is_full: false };
         // Segments of one lane follow each other: each lane is examined once in a row.
         let mut last: Option<(u32, bool)> = None;
         let radius = round_up(radius);
@@ -160,7 +160,9 @@ impl<'a> Path<'a, '_> {
                     continue;
                 }
                 match near.stretches.get_mut(near.count) {
-                    Some(place) => (*place, near.count) = ((row, segment), near.count + 1),
+                    Some(place) => {
+                        (*place, near.count) = (LaneSegment { lane: row, segment }, near.count + 1)
+                    }
                     None => near.is_full = true,
                 }
             }

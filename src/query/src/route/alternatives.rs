@@ -89,7 +89,7 @@ impl Routes {
 
 /// A way that was found, by its hops.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
+pub(super) struct KnownRoute {
     cost: f64,
     first: usize,
     end: usize,
@@ -98,7 +98,28 @@ pub(super) struct Found {
     is_taken: bool,
 }
 
-impl Found {
+/// Where another way leaves a known one.
+#[derive(Clone, Copy)]
+struct Deviation {
+    known: KnownRoute,
+    /// Number of the known way's hops that are kept.
+    shared: usize,
+    /// The node behind which the ways part (Yen's spur node); none where they part at the start.
+    spur: Option<u32>,
+    /// Cost up to the end of the spur node.
+    cost: f64,
+}
+
+/// What another way must not exceed to count.
+#[derive(Clone, Copy)]
+struct Limits {
+    /// Ways that are still looked for.
+    count: usize,
+    /// Greatest cost.
+    cost: f64,
+}
+
+impl KnownRoute {
     fn hops(&self) -> Range<usize> {
         self.first..self.end
     }
@@ -164,7 +185,7 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
         let worst = (best.cost * options.longest).max(best.cost);
         let found = &mut self.scratch.others.found;
         found.clear();
-        found.push(Found { cost: best.cost, first, end, shared: 0, is_taken: false });
+        found.push(KnownRoute { cost: best.cost, first, end, shared: 0, is_taken: false });
         for taken in 1..=options.count {
             let found = &mut self.scratch.others.found;
             let open = found.iter_mut().filter(|found| !found.is_taken);
@@ -174,14 +195,15 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
             let route = self.write(own.hops(), own.cost, &mut out.steps);
             out.end(route);
             if taken < options.count {
-                self.leave_at_each(own, options.count - taken, worst, bounds);
+                let limits = Limits { count: options.count - taken, cost: worst };
+                self.leave_at_each(own, limits, bounds);
                 self.tidy(options.count - taken);
             }
         }
     }
 
     /// Finds the best way that leaves a known one at each of its nodes, from the one at which it left another on.
-    fn leave_at_each(&mut self, known: Found, wanted: usize, worst: f64, bounds: &Bounds<'a>) {
+    fn leave_at_each(&mut self, known: KnownRoute, limits: Limits, bounds: &Bounds<'a>) {
         // Cost at the beginning of the node at which the way is left.
         let mut cost = 0.0;
         for at in 0..known.end - known.first {
@@ -190,7 +212,7 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
             let spur = self.scratch.hops.get(place.wrapping_sub(1)).filter(|_| at > 0);
             let spur = spur.map(|before| before.to);
             if at >= known.shared {
-                self.leave_at((known, at), (spur, cost), wanted, worst, bounds);
+                self.leave_at(Deviation { known, shared: at, spur, cost }, limits, bounds);
             }
             if hop.to & GOAL == 0 {
                 cost = self.after(cost, hop);
@@ -198,16 +220,10 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
         }
     }
 
-    fn leave_at(
-        &mut self,
-        (known, at): (Found, usize),
-        (spur, cost): (Option<u32>, f64),
-        wanted: usize,
-        worst: f64,
-        bounds: &Bounds<'a>,
-    ) {
+    fn leave_at(&mut self, deviation: Deviation, limits: Limits, bounds: &Bounds<'a>) {
+        let Deviation { known, shared: at, spur, cost } = deviation;
         self.scratch.restart();
-        (self.best, self.cutoff) = (None, self.cutoff(wanted, worst));
+        (self.best, self.cutoff) = (None, self.cutoff(limits.count, limits.cost));
         let mut banned = std::mem::take(&mut self.scratch.others.banned);
         banned.clear();
         let RouteScratch { hops, others, .. } = &*self.scratch;
@@ -235,7 +251,7 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
         let first = self.scratch.hops.len();
         self.scratch.hops.extend_from_within(known.first..known.first + at);
         let end = self.trace(best, spur).end;
-        let new = Found { cost: best.cost, first, end, shared: at, is_taken: false };
+        let new = KnownRoute { cost: best.cost, first, end, shared: at, is_taken: false };
         self.scratch.others.found.push(new);
     }
 

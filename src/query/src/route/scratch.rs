@@ -29,7 +29,7 @@ pub struct RouteScratch {
 pub(super) struct Others {
     /// Best ways from nodes to the goal: the parent is the node that comes next.
     pub(super) back: Vec<Label>,
-    pub(super) found: Vec<super::alternatives::Found>,
+    pub(super) found: Vec<super::alternatives::KnownRoute>,
     /// Hops that are not taken from the node at which a way leaves another one.
     pub(super) banned: Vec<Hop>,
     /// Nodes that need not be looked at again, and those of the way that is looked at, as bits.

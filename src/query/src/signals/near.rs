@@ -59,8 +59,11 @@ impl<'a> Map<'a> {
     /// Signals that stand in a rectangle, in no order.
     pub(crate) fn visit_signals(&self, region: Region, mut visit: impl FnMut(Signal<'a>)) {
         let (map, tables) = (*self, self.tables());
-        let index =
-            (tables.signal_index_levels, tables.signal_index_nodes, tables.signal_index_items);
+        let index = packed::PackedIndex {
+            levels: tables.signal_index_levels,
+            nodes: tables.signal_index_nodes,
+            items: tables.signal_index_items,
+        };
         packed::visit_items(index, region.local(self.origin()), |item| {
             let signal = Signal::new(map, item);
             signal

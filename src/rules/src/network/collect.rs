@@ -4,7 +4,7 @@ use super::facts::{
     Contact, IdentifiedPart, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, PartKind, RoadApart,
     RoadFacts, SectionFacts, rank_of,
 };
-use super::references::{Kinds, NamedAt, Reference};
+use super::references::{Kinds, NamedAt, Reference, ReferencePlace};
 use super::{NONE, Name, Network};
 use crate::line::ReferenceLine;
 use crate::place::{SectionIn, Side, is_left_hand, junction_of, number, text, value};
@@ -34,7 +34,7 @@ impl Network {
             Item::Controller(controller) => {
                 let from = self.part(PartKind::Controller, &controller.id, controller.span, None);
                 for control in &controller.control {
-                    let at = (NamedAt::Control, Kinds::Signal);
+                    let at = NamedAt::Control.of(Kinds::Signal);
                     self.refer(at, &control.signal_id, from, control.span);
                 }
             }
@@ -42,7 +42,7 @@ impl Network {
                 let from = self.part(PartKind::JunctionGroup, &group.id, group.span, None);
                 for of in &group.junction_reference {
                     self.refer(
-                        (NamedAt::GroupJunction, Kinds::Junction),
+                        NamedAt::GroupJunction.of(Kinds::Junction),
                         &of.junction,
                         from,
                         of.span,
@@ -52,14 +52,19 @@ impl Network {
             Item::Station(station) => {
                 let from = self.part(PartKind::Station, &station.id, station.span, None);
                 for segment in station.platform.iter().flat_map(|platform| &platform.segment) {
-                    let at = (NamedAt::PlatformSegment, Kinds::Road);
+                    let at = NamedAt::PlatformSegment.of(Kinds::Road);
                     self.refer(at, &segment.road_id, from, segment.span);
                 }
             }
             Item::VmsGroup(group) => {
                 let from = self.part(PartKind::VmsGroup, &group.id, group.span, None);
                 for board in &group.vms_board_reference {
-                    self.refer((NamedAt::Board, Kinds::Signal), &board.signal_id, from, board.span);
+                    self.refer(
+                        NamedAt::Board.of(Kinds::Signal),
+                        &board.signal_id,
+                        from,
+                        board.span,
+                    );
                 }
             }
         }
@@ -81,7 +86,7 @@ impl Network {
     }
 
     /// Takes something that names an id, if it does.
-    pub(super) fn refer(&mut self, at: (NamedAt, Kinds), id: &Text, from: Name, span: Span) {
+    pub(super) fn refer(&mut self, at: ReferencePlace, id: &Text, from: Name, span: Span) {
         if let Some(id) = id {
             let id = self.names.add(&id.value);
             self.references.push(Reference::new(at, id, from, span));
@@ -105,7 +110,7 @@ impl Network {
             self.part(PartKind::Bridge, &bridge.id, bridge.span, road);
         }
         for object in &objects.object_reference {
-            self.refer((at, Kinds::Object), &object.id, from, object.span);
+            self.refer(at.of(Kinds::Object), &object.id, from, object.span);
         }
     }
 
@@ -121,11 +126,11 @@ impl Network {
         let id = self.part(PartKind::Road, &road.id, road.span, None);
         let link = road.link.as_deref();
         for neighbor in link.iter().flat_map(|link| &link.neighbor) {
-            self.refer((NamedAt::Neighbor, Kinds::Road), &neighbor.element_id, id, neighbor.span);
+            self.refer(NamedAt::Neighbor.of(Kinds::Road), &neighbor.element_id, id, neighbor.span);
         }
         let junction = junction_of(road).map(|junction| self.names.add(junction));
         if let Some(junction) = junction {
-            let at = (NamedAt::RoadJunction, Kinds::Junction);
+            let at = NamedAt::RoadJunction.of(Kinds::Junction);
             self.references.push(Reference::new(at, junction, id, road.span));
         }
         let ends = [
@@ -138,7 +143,7 @@ impl Network {
                 Some(ElementType::Junction) => Kinds::Junction,
                 _ => Kinds::Road,
             };
-            self.refer((at, kinds), &end.element_id, id, end.span);
+            self.refer(at.of(kinds), &end.element_id, id, end.span);
         }
         if let Some(objects) = &road.objects {
             self.add_objects(objects, NamedAt::RoadObject, id, Some(rank));
@@ -181,11 +186,11 @@ impl Network {
                 (switch.side_track.as_ref().map(|t| &t.id), NamedAt::SideTrack),
             ] {
                 if let Some(id) = track {
-                    self.refer((at, Kinds::Road), id, from, switch.span);
+                    self.refer(at.of(Kinds::Road), id, from, switch.span);
                 }
             }
             if let Some(partner) = &switch.partner {
-                self.refer((NamedAt::Partner, Kinds::Switch), &partner.id, from, partner.span);
+                self.refer(NamedAt::Partner.of(Kinds::Switch), &partner.id, from, partner.span);
             }
         }
     }

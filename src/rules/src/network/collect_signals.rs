@@ -26,12 +26,12 @@ impl Network {
             self.add_links(OF_SIGNAL, &signal.dependency, &signal.reference, id);
             self.add_boards(&signal.static_board, &signal.vms_board, id, DEEPEST_BOARD);
             if let Some(position) = &signal.position_road {
-                let at = (NamedAt::PositionRoad, Kinds::Road);
+                let at = NamedAt::PositionRoad.of(Kinds::Road);
                 self.refer(at, &position.road_id, id, position.span);
             }
         }
         for reference in &signals.signal_reference {
-            let at = (NamedAt::SignalReference, Kinds::Signals);
+            let at = NamedAt::SignalReference.of(Kinds::Signals);
             self.refer(at, &reference.id, from, reference.span);
         }
     }
@@ -44,7 +44,7 @@ impl Network {
         from: Name,
     ) {
         for dependency in dependencies {
-            let at = (dependency_at, Kinds::Signals);
+            let at = dependency_at.of(Kinds::Signals);
             self.refer(at, &dependency.id, from, dependency.span);
         }
         for reference in references {
@@ -53,7 +53,7 @@ impl Network {
                 Some(ReferenceElementType::Object) => Kinds::Object,
                 _ => Kinds::SignalsAndObjects,
             };
-            self.refer((reference_at, kinds), &reference.element_id, from, reference.span);
+            self.refer(reference_at.of(kinds), &reference.element_id, from, reference.span);
         }
     }
 

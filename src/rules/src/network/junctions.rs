@@ -110,7 +110,7 @@ fn says_more(connection: &Connection) -> bool {
 impl Network {
     pub(super) fn add_junction(&mut self, junction: &Junction) {
         let from = self.part(PartKind::Junction, &junction.id, junction.span, None);
-        let road = |at: NamedAt| (at, Kinds::Road);
+        let road = |at: NamedAt| at.of(Kinds::Road);
         if value(&junction.r#type) == Some(JunctionType::Virtual) {
             self.refer(road(NamedAt::MainRoad), &junction.main_road, from, junction.span);
         }
@@ -127,7 +127,7 @@ impl Network {
             self.refer(road(NamedAt::PriorityLow), &priority.low, from, priority.span);
         }
         for controller in &junction.controller {
-            let at = (NamedAt::JunctionController, Kinds::Controller);
+            let at = NamedAt::JunctionController.of(Kinds::Controller);
             self.refer(at, &controller.id, from, controller.span);
         }
         for section in &junction.road_section {

@@ -104,6 +104,20 @@ places! {
     VmsLink: "signal" "signal/vmsBoard/reference/@elementId",
 }
 
+/// Where an id is named, and kinds of what may be meant.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ReferencePlace {
+    at: NamedAt,
+    kinds: Kinds,
+}
+
+impl NamedAt {
+    /// With kinds of what may be meant there.
+    pub(super) fn of(self, kinds: Kinds) -> ReferencePlace {
+        ReferencePlace { at: self, kinds }
+    }
+}
+
 /// Something that names an id.
 #[derive(Clone, Copy, Debug)]
 pub struct Reference {
@@ -121,7 +135,12 @@ pub struct Reference {
 
 impl Reference {
     /// One in an element with this start tag.
-    pub(super) fn new((at, kinds): (NamedAt, Kinds), id: Name, from: Name, span: Span) -> Self {
+    pub(super) fn new(
+        ReferencePlace { at, kinds }: ReferencePlace,
+        id: Name,
+        from: Name,
+        span: Span,
+    ) -> Self {
         Self { span, id, from, at, kinds }
     }
 
