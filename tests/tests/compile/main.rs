@@ -6,6 +6,7 @@ mod georeference;
 mod lowering_ahead;
 mod patches;
 mod reading_ahead;
+mod rooms;
 mod same_archive;
 mod surface_files;
 mod target_frame;
