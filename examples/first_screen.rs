@@ -1,4 +1,4 @@
-//! A planner's first screen: which lane is a point on? Waits for the map at boot, whoever starts first.
+//! A planner's first screen: which lane is a point on? Waits for the map at boot; daemon and planner may start in any order.
 #![allow(clippy::print_stdout)]
 
 use mapd_client::{Client, NearestOptions, glam::DVec2};

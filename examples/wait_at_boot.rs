@@ -1,4 +1,4 @@
-//! Waits at boot for a map, whoever starts first, then follows its generations.
+//! Waits at boot for a map (daemon and client may start in any order), then follows its generations.
 //!
 //! `wait_at_boot MAP SECONDS [GENERATIONS]`: ends after so many generations (default 1).
 

@@ -114,7 +114,7 @@ fn ways(road: &Element, lane: &Element) -> Vec<bool> {
     if lane.get("direction") == Some("both") || lane.get("type") == Some("bidirectional") {
         vec![true, false]
     } else if matches!(lane.get("type"), Some("sidewalk" | "walking")) {
-        // The graph's own word, not the standard's: whoever walks may go both ways.
+        // The graph's own word, not the standard's: pedestrians may go both ways.
         vec![true, false]
     } else if lane.get("direction") == Some("reversed") {
         vec![!standard]

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 /// Longest wait for a daemon to serve or to end, which takes some milliseconds; machines may be busy.
 pub const DAEMON_PATIENCE: Duration = Duration::from_secs(60);
 
-/// Deadline of a fresh client, and of whoever asks a daemon to do something, which needs some milliseconds.
+/// Deadline of a fresh client, and of a request to a daemon, which needs some milliseconds.
 pub const ATTACH_DEADLINE: Duration = Duration::from_secs(20);
 
 /// What a process may need besides waiting: to be started on a busy machine, to open the map, to answer.
@@ -168,7 +168,7 @@ impl Stage {
         let mut child =
             command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().map_err(text)?;
         if let Some(mut stdin) = child.stdin.take() {
-            // Whoever ends early says so by its exit code.
+            // A process that ends early says so by its exit code.
             let _ = stdin.write_all(self.question.as_bytes());
         }
         match wait_for_end(&mut child, wait + PROCESS_SLACK)? {

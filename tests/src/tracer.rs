@@ -22,7 +22,7 @@ const SYSCALL_ENDS: u8 = 2;
 /// Which side of a system call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Side {
-    /// The kernel has not begun: whoever is killed here never made the call.
+    /// The kernel has not begun: a process that is killed here never made the call.
     Before,
     /// The kernel has done it, and the program does not know yet.
     After,

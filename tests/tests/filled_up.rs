@@ -36,7 +36,7 @@ fn stage() -> Stage {
     Stage::new(Path::new(MAPD), &map, "x,y\n10,-1.5\n").expect("the map answers from its file")
 }
 
-/// Deadline of one attempt to attach: where there is no room it comes in vain.
+/// Deadline of one attempt to attach: where there is no room it runs out.
 const ATTEMPT: Duration = Duration::from_millis(200);
 
 /// Whether an error says that shared memory is full.

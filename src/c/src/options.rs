@@ -18,7 +18,7 @@ pub(crate) unsafe fn given_options<'a, T>(
     }
     // SAFETY: as promised above; the size comes first in every release.
     let size = unsafe { *get(options.cast::<usize>(), "options")? };
-    // Whoever knows less of them than the first release is no caller of this library.
+    // A caller whose options are shorter than the first release's was not built for this library.
     if size != size_of::<T>() {
         return Err(other_size(size, size_of::<T>(), init));
     }

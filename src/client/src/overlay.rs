@@ -107,7 +107,7 @@ pub struct Proposer {
 }
 
 impl Proposer {
-    /// A proposer to whoever serves a map of this name. `source` is what it calls itself: the daemon's policy names it. Nothing is connected yet.
+    /// A proposer to the daemon that serves a map of this name. `source` is what it calls itself: the daemon's policy names it. Nothing is connected yet.
     pub fn new(domain: &Domain, map: &str, source: &str) -> Self {
         let path = proposals_socket(domain, map);
         Self { path, map: map.to_owned(), source: source.to_owned() }
@@ -148,7 +148,7 @@ impl Proposer {
         let wait = Some(wait.max(Duration::from_millis(1)));
         stream.set_read_timeout(wait)?;
         stream.set_write_timeout(wait)?;
-        // Whoever is refused at once may not be listened to.
+        // A daemon that refuses at once may close the socket before it has read the request.
         let written = stream
             .write_all(format!("{}\n{entry}", self.source).as_bytes())
             .and_then(|()| stream.shutdown(Shutdown::Write));

@@ -11,7 +11,7 @@ use mapd_overlay::{Document, Entry, Limits, Policy, resolve};
 use std::collections::BTreeMap;
 use std::time::UNIX_EPOCH;
 
-/// Whoever signs a document decides how long it is and what it allows.
+/// The signer of a document decides how long it is and what it allows.
 const UNLIMITED: Limits = Limits { entries: usize::MAX, bytes: usize::MAX };
 const ALL: Policy = Policy { may_loosen: true };
 

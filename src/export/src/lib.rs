@@ -4,7 +4,7 @@
 //! feature, its format and its options are absent, and so are the crates that it needs.
 //!
 //! Invariants: text of a map is text in every format, whatever it contains; the same map and options give the same bytes. Deliberately
-//! absent: files. Whoever calls decides where the bytes go, and what becomes of half a file.
+//! absent: files. The caller decides where the bytes go, and what becomes of half a file.
 //!
 //! ```
 //! # #[cfg(feature = "geojson")] {

@@ -34,7 +34,7 @@ pub fn write(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header
     Ok(header)
 }
 
-/// Writes an archive to the disk that will be at `path`, and proves it as whoever serves it will.
+/// Writes an archive to the disk that will be at `path`, and verifies it as the daemon that serves it will.
 ///
 /// Errors: the folder cannot be written, or the disk is full; the archive is not sound, which is this program's fault; nothing
 /// is left behind.
@@ -56,7 +56,7 @@ fn prove(path: &Path) -> Result<()> {
 }
 
 /// Writes an archive into a file that is there already and that nobody reads yet: a temporary file, or one without a name
-/// under `/proc`. It is not forced to the disk, and not proved: whoever gave the file does so where it is served.
+/// under `/proc`. It is not forced to the disk, and not verified: the daemon does so before it serves the file.
 ///
 /// Errors: the file cannot be written, or the disk is full.
 pub fn write_into(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {

@@ -33,7 +33,7 @@ impl Whole {
         self.network.has_more_overlaps()
     }
 
-    /// Whether a rule looks at all overlaps of roads. Finding them takes longer than any other rule, and who comes first
+    /// Whether a rule looks at all overlaps of roads. Finding them takes longer than any other rule, and the first caller
     /// keeps the others waiting.
     pub fn needs_overlaps(&self, check: usize) -> bool {
         let rank = self.rules.lists.network.get(check);

@@ -53,7 +53,7 @@ impl Mapping {
     /// The bytes.
     pub fn bytes(&self) -> &[u8] {
         // SAFETY: `length` bytes from `start` on are mapped as long as `self` lives, and every bit pattern is a byte. That they do not change is promised by
-        // whoever made the mapping with `read_only`; inside this crate nobody asks for the bytes of another one.
+        // the caller that made the mapping with `read_only`; inside this crate nobody asks for the bytes of another one.
         unsafe { std::slice::from_raw_parts(self.start.as_ptr(), self.length) }
     }
 

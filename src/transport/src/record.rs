@@ -99,7 +99,7 @@ pub fn remove_staged(domain: &Domain, map: &str) -> io::Result<()> {
     remove_text(&domain.map_file(map, STAGED))
 }
 
-/// Removes a file, and what whoever was killed while replacing it has left.
+/// Removes a file, and what a process that was killed while replacing it has left.
 pub(super) fn remove_text(path: &Path) -> io::Result<()> {
     [unfinished(path), path.to_owned()].iter().try_for_each(|file| match fs::remove_file(file) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),

@@ -12,7 +12,7 @@ const OWNER_READ: u32 = 0o400;
 const SERVICE_SUFFIX: &str = ".service";
 
 /// Files of a domain that are not complete: of size zero, or not readable by their owner. While the attach lock is held,
-/// by whoever asks, nobody else is creating any (shared: other clients may be, of files that nobody opens; exclusively:
+/// by the caller, nobody else is creating any (shared: other clients may be, of files that nobody opens; exclusively:
 /// really nobody), so that a daemon may remove them.
 ///
 /// A zero-sized segment is what iceoryx2 0.10 waits for without end.

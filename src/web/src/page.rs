@@ -44,7 +44,7 @@ pub enum Content<'a> {
         /// The overlay's bytes; none without one.
         overlay: &'a [u8],
     },
-    /// Maps of these names, which whoever serves the page serves, too: the archive of the first at `map/0`, what is laid over it at `overlay/0`, its events
+    /// Maps of these names, which the server of the page serves, too: the archive of the first at `map/0`, what is laid over it at `overlay/0`, its events
     /// at `events/0`, and so on.
     Served(&'a [String]),
 }

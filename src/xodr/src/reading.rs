@@ -276,7 +276,7 @@ impl Cursor<'_> {
             let form = if self.version >= usize::from(V1_6) { "two or three" } else { "three" };
             let expected =
                 format!("{form} capital letters or a country's name ({})", self.standard());
-            // The text is kept, and whoever looks it up finds the generic catalogue: nothing is lost by it.
+            // The text is kept, and a lookup by it finds the generic catalogue: nothing is lost.
             self.about(rule_ids::VALUE, Severity::Warning, &expected, "; kept as text");
         } else if lexical.value.is_none() {
             self.quirk(Quirk::UnknownCountry, true);
@@ -291,7 +291,7 @@ impl Cursor<'_> {
         Some(self.placed(rank.map_or(T::UNLISTED, T::of_rank)))
     }
 
-    /// As [`Self::word`], as the text that is written: whoever needs the words that the standard does not list finds them.
+    /// As [`Self::word`], as the text that is written: for callers that need the words that the standard does not list.
     pub(crate) fn word_as_text<T: Enumeration>(&mut self) -> Option<Attribute<Box<str>>> {
         let rank = self.word_of(T::list())?;
         let listed = rank.and_then(|rank| T::list().words.get(rank));

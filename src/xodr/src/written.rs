@@ -1,7 +1,7 @@
 //! Elements whatever their type: what stands in them, one below the other.
 //!
 //! The implementations are generated from the table of OpenDRIVE. They name those attributes that the table says nothing
-//! is built from and nothing else stores, so that whoever keeps what is left forgets none.
+//! is built from and nothing else stores, so that code that keeps the rest forgets none.
 
 use crate::attribute::{Attribute, PositionOrEnd, SpeedLimit};
 use crate::extension::Extensions;

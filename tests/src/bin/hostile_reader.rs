@@ -1,7 +1,7 @@
 //! A reader that means harm, with whatever rights it is given: `hostile_reader NAME`.
 //!
 //! Tries to change, shorten, remove, replace and lock every file of the domain, and says what it could do, a line each. Then it keeps what it holds: locks,
-//! mappings, descriptors; and moves away whoever sleeps on the map's record, until stdin ends.
+//! mappings, descriptors; and moves processes that sleep on the map's record to another word, until stdin ends.
 #![allow(unsafe_code, clippy::print_stdout)]
 
 use mapd_client::{Client, Domain};
@@ -87,7 +87,7 @@ fn harm(path: &Path) -> Option<File> {
     locked.then_some(file)
 }
 
-/// Has whoever sleeps on the record's word sleep on another one of the page.
+/// Moves processes that sleep on the record's word to another word of the page.
 fn move_sleepers(record: &Mapping) {
     let word = record.bytes().as_ptr() as usize + SEQUENCE;
     // SAFETY: the call looks up who sleeps on two addresses, which are mapped, and changes no memory.

@@ -213,7 +213,7 @@ fn observe(map: &str) -> Outcome {
     let end = ended.clone();
     let input = std::thread::spawn(move || {
         let mut last = String::new();
-        // What is not a number is no generation, and waited for in vain.
+        // Text that is not a number is no generation: the wait for it runs out.
         let _ = std::io::stdin().read_line(&mut last);
         end.store(true, Ordering::Relaxed);
         last.trim().parse::<u64>().unwrap_or(u64::MAX)

@@ -538,7 +538,7 @@ fn a_document_beyond_the_limit_is_not_read_to_an_end_that_it_has_not() {
         .expect("starts");
     let pipe = endless.stdout.take().expect("a pipe");
     assert_eq!(ends("/dev/stdin", pipe.into()), Some(4));
-    // Whoever writes to nobody ends.
+    // A process whose pipe has no reader ends.
     let _ = endless.wait();
     assert_eq!(ends("/dev/zero", Stdio::null()), Some(4));
 }

@@ -121,7 +121,7 @@ fn one_broken_part_of_each_kind() {
         let into = map.road_by_id("3").and_then(|r| r.section(0)?.lane(-1)).expect("lane");
         let has_connection = !lost.contains(&("connection", "c0"));
         assert_eq!(into.successors().count(), usize::from(has_connection), "{name}");
-        // Who asks near the hole is told, where its place can be known.
+        // A query near the hole reports it, where its place is known.
         if let Some(part) = map.quarantined().find(|part| part.extent().is_some()) {
             let Region { low: min, high: max } = part.extent().expect("known");
             let told =

@@ -207,7 +207,7 @@ fn check_network(map: Map<'_>, from: PositionOnLane, limit: f64, cost: &Shortest
             assert!(next.cost <= own.cost + node.length() + 20.0 * f64::from(changes) + 1e-3);
         }
     }
-    // Backwards: whoever is reached by whom reaches it.
+    // Backwards: the search to a place finds what searches from there would reach it.
     let goals = [from.into()];
     let ask = RouteRequest { starts: &goals, goals: &goals, vehicle: CAR, cost, avoid: &[] };
     let mut back = Reach::default();

@@ -120,7 +120,7 @@ pub(crate) fn check_steps(
     for (i, step) in steps.iter().enumerate() {
         let lane = map.lane(step.lane).expect("known");
         length += lane.length_between(step.s_from, step.s_to);
-        // Whoever walks goes either way.
+        // Pedestrians go either way.
         let walked = matches!(lane.kind(), LaneType::Walking | LaneType::Sidewalk);
         let either = lane.is_bidirectional() || walked;
         assert!(either || lane.is_forward() == step.forward, "{}", lane.key());

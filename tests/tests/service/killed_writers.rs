@@ -173,7 +173,7 @@ fn what_is_left_over_is_taken_by_the_next_run() {
     scene.check(false, "two drafts are left");
 }
 
-/// Whoever compiles tiles takes its compilers along, and the next run does what is left to do.
+/// A killed run over tiles takes its compilers along, and the next run does what is left to do.
 #[test]
 fn tiles_go_on_where_a_kill_has_ended_them() {
     let scene = Scene::new();

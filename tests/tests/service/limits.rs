@@ -12,7 +12,7 @@ const STEP: u64 = 512;
 /// How many of them are tried; the last has room for everything.
 const STEPS: u64 = 64;
 
-/// What a client waits under each limit \[s\]: many of them wait in vain.
+/// What a client waits under each limit \[s\]: many of them time out.
 const SHORT: &str = "0.05";
 
 /// The wait after which its outcome counts whatever it is \[s\].
@@ -84,7 +84,7 @@ fn too_few_descriptors_are_named() {
     drop(daemon);
 }
 
-/// SIGXFSZ once ended whoever wrote beyond the limit.
+/// SIGXFSZ once ended a process that wrote beyond the limit.
 #[test]
 fn a_limit_of_file_sizes_is_an_error() {
     let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));

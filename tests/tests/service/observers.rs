@@ -139,7 +139,7 @@ fn swaps_under_many_observers() {
     assert!(seen > observers as u64, "nobody saw a swap");
 }
 
-/// What a killed daemon served last is found, and its age seen; whoever waits gets the successor's.
+/// What a killed daemon served last is found, and its age seen; a client that waits gets the successor's.
 #[test]
 fn after_the_daemons_death() {
     let place = TestDomain::new(MAPD);
@@ -164,7 +164,7 @@ fn after_the_daemons_death() {
     beats_after(&before, start);
 }
 
-/// A clean end removes the record; who waits on it is told, and finds the next daemon's.
+/// A clean end removes the record; a client that waits on it is told, and finds the next daemon's.
 #[test]
 fn after_a_clean_end() {
     let place = TestDomain::new(MAPD);

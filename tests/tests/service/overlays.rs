@@ -183,7 +183,7 @@ fn it_is_shown() {
     assert!(output.status.success() && said.contains("1 entries of the overlay"), "{said}");
 }
 
-/// Whoever waits is woken by a change, and by nothing else.
+/// A waiting client is woken by a change, and by nothing else.
 #[test]
 fn who_waits_is_woken() {
     let scene = Scene::new();

@@ -179,7 +179,7 @@ fn metrics_are_read_over_http_by_this_machine_only() {
 
 /// Who connected and said nothing once kept everybody else waiting, two seconds each.
 #[test]
-fn whoever_asks_for_metrics_waits_for_nobody() {
+fn no_reader_of_metrics_waits_for_another() {
     const IDLE: usize = 100;
     let place = place();
     let args = ["--log", "json", "--metrics", "127.0.0.1:0"];

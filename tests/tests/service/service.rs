@@ -114,7 +114,7 @@ fn a_reload_reaches_readers_and_one_of_the_same_file_does_nothing() {
     assert_eq!(report.result, ReloadResult::Published, "{report:?}");
     assert_eq!(report.generation, Some(first.generation() + 1));
     scene.has(1);
-    assert!(scene.maps.is(&first, 0), "who holds the old one keeps it");
+    assert!(scene.maps.is(&first, 0), "a client keeps the old one while it holds it");
     first.verify().expect("whole");
     let state = scene.place.state("map");
     let served = state.served.expect("served");
@@ -449,7 +449,7 @@ fn a_stop_during_a_reload_ends_at_once() {
     assert!(start.elapsed() < PATIENCE, "{:?}", start.elapsed());
     let told = text(&asking.wait_with_output().expect("ends"));
     assert!(told.contains("daemon end"), "{told}");
-    held.verify().expect("who holds it keeps it");
+    held.verify().expect("a client keeps what it holds");
     assert!(scene.maps.is(&held, 0));
 }
 

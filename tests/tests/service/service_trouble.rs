@@ -1,5 +1,5 @@
 //! A daemon in trouble that is not its own: no room, too many clients, clients that dawdle, signals at the wrong moment. What is
-//! served stays served, and whoever asks hears the truth.
+//! served stays served, and requests are answered truthfully.
 
 use mapd::control::{ReloadResult, Request, Response, ask};
 use mapd_client::{Attach, AttachError, Client, ClientError};
@@ -241,7 +241,7 @@ fn what_is_lost_is_left_out_when_going_back() {
     assert!(matches!(answer, Some(Response::Refused { .. })), "{answer:?}");
 }
 
-/// Who sends a byte now and then has two seconds in all, and who is refused meanwhile hears why.
+/// A client that sends a byte now and then has two seconds in all, and one that is refused meanwhile is told why.
 #[test]
 fn dawdlers_keep_others_out_for_a_moment_only() {
     let place = TestDomain::new(MAPD);
@@ -268,14 +268,14 @@ fn dawdlers_keep_others_out_for_a_moment_only() {
     assert!(answered && refused > 0, "{refused} refused");
 }
 
-/// A daemon that is stopped keeps whoever asks waiting no longer than they wish, however many have asked before.
+/// A daemon that is stopped keeps clients waiting no longer than their deadline, however many requests came before.
 #[test]
 fn nobody_waits_for_ever_for_a_daemon_that_is_stopped() {
     let place = TestDomain::new(MAPD);
     let daemon = place.serve(&[&town()]);
     daemon.pause(&place);
     let socket = control_socket(&place);
-    // Who has gone again keeps its place in the line. The line's length is the kernel's; none that is known has more places.
+    // A client that has gone keeps its place in the queue. The line's length is the kernel's; none that is known has more places.
     let most = 10_000;
     let mut connected = 0;
     while connected < most {

@@ -134,7 +134,7 @@ fn a_hostile_member_holds_and_delays_and_no_more() {
     assert_eq!(daemon.stop(), 0);
 }
 
-/// Whoever makes the folder first is not taken for the daemon.
+/// A process that makes the folder first is not taken for the daemon.
 #[test]
 fn a_squatted_folder_is_refused() {
     let place = TestDomain::new(MAPD);
@@ -169,7 +169,7 @@ fn an_owner_that_is_not_mapped_is_nobody() {
     }
 }
 
-/// A daemon is its own user's, whoever is named.
+/// A daemon is its own user's, whatever user is named.
 #[test]
 fn a_daemon_serves_as_itself() {
     let place = TestDomain::new(MAPD);

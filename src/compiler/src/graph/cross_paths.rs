@@ -2,7 +2,7 @@
 //! and the road that carries the path.
 //!
 //! The path's road begins at `startLaneLink` and ends at `endLaneLink`; each names a place on the road that is touched, its
-//! lane and the lane of the path's road. Whoever travels the touched lane may turn into the path there, and out of it.
+//! lane and the lane of the path's road. Traffic on the touched lane may turn into the path there, and out of it.
 
 use super::Source;
 use super::attach::{DirectedPosition, Missing, node_at};

@@ -34,7 +34,7 @@ pub(crate) fn check(rows: &Rows, mut report: Report<'_>) -> Vec<Finding> {
 fn of_nodes(rows: &Rows, nodes: &[LaneNode<'_>]) -> Vec<(u32, f64)> {
     let mut gaps = Vec::new();
     for node in nodes {
-        // Whoever walks against the traffic rule meets the same joint as those who walk with it.
+        // Pedestrians against the direction of traffic meet the same joint as those with it.
         if node.lane().is_some_and(|l| !l.is_bidirectional() && l.is_forward() != node.is_forward())
         {
             continue;

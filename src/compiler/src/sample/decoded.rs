@@ -1,4 +1,4 @@
-//! Lines of lanes, decoded once for who asks for their points again and again.
+//! Lines of lanes, decoded once, for callers that read their points many times.
 
 use glam::DVec3;
 use mapd_query::Map;

@@ -191,7 +191,7 @@ impl Cache {
         Ok(OpenArchive { file, length })
     }
 
-    /// Removes an archive, one that does not prove. Who has it open keeps it.
+    /// Removes an archive, one that fails verification. Processes that have it open keep it.
     pub fn remove(&self, key: &Key) {
         // One that stays is found not to prove again.
         let _ = fs::remove_file(self.path(key, ARCHIVE));

@@ -98,7 +98,7 @@ fn exchange(domain: &Domain, map: &str, request: &Request, wait: Duration) -> io
     stream.set_write_timeout(wait)?;
     let mut line = serde_json::to_vec(request)?;
     line.push(b'\n');
-    // Whoever is refused may have been answered already, and not be listened to.
+    // A daemon that refuses may have answered and closed the socket before it has read the request.
     let written = match stream.write_all(&line) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Err(error),
         other => Ok(other?),

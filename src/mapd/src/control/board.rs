@@ -1,4 +1,4 @@
-//! Where the daemon writes down what it does, and whoever asks reads it without waiting for the daemon.
+//! Where the daemon writes down what it does, so that requests read it without waiting for the daemon.
 
 use super::status::{CacheStatus, DaemonStatus, MapState};
 use crate::clock::unix_ns;

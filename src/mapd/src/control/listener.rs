@@ -23,7 +23,7 @@ const SOCKET_MODE: u32 = 0o600;
 /// Mode of a socket for proposals where maps are shared with a group.
 const SHARED_MODE: u32 = 0o660;
 
-/// How long who asks may take in all to say what, and then to take the answer.
+/// How long a client may take in all to send its request, and then to read the answer.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// Longest request: a document of overlay entries as text in JSON \[bytes\].
@@ -32,7 +32,7 @@ const LONGEST_REQUEST: usize = 16 << 20;
 /// Pause where connections cannot be taken, as without descriptors that are left.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Requests that are answered at a time; who comes later is refused.
+/// Requests that are answered at a time; further ones are refused.
 const MOST_CONNECTIONS: usize = 32;
 
 /// What is done with connections, by the number of their socket.
@@ -212,13 +212,13 @@ fn connect(stream: UnixStream, socket: usize, busy: &Arc<AtomicUsize>, service: 
     let (busy, service) = (Busy(busy.clone()), service.clone());
     if refused {
         let reason = format!("the daemon is already answering {MOST_CONNECTIONS} requests");
-        // Who is refused and has gone needs no answer.
+        // A client that is refused and has closed the socket needs no answer.
         let _ = prepare(&stream).and_then(|()| service.refuse(&stream, reason));
         return;
     }
     let work = move || {
         let _busy = busy;
-        // Who has gone needs no answer.
+        // A client that has closed the socket needs no answer.
         let _ = prepare(&stream).and_then(|()| service.serve(socket, &stream));
     };
     // Without a thread the connection is closed: the daemon goes on.

@@ -2,15 +2,15 @@
 //!
 //! Why a socket and not a request-response service of iceoryx2: a service is made of segments in shared memory, each of
 //! which is half made at some system call; a process that is killed there is in everybody's way until a daemon has cleaned
-//! up. A socket is the kernel's: whoever is killed, at whatever call, the other side reads the end of the stream at once,
+//! up. A socket is the kernel's: if either side is killed, at any system call, the other reads the end of the stream at once,
 //! and the name that a killed daemon leaves refuses connections until the next one, which holds the map's claim, replaces
 //! it. Nothing can wait for ever, and readers of maps never meet it.
 //!
 //! One line of JSON each way: a [`Request`], a [`Response`]. The root folder has mode 0700, the socket 0600: only the
 //! domain's user gets through.
 //!
-//! Invariants: a daemon never waits for who asks (deadlines on both sides, a bound on connections and on the length of a
-//! line); what is asked runs to its end whether or not who asked still listens.
+//! Invariants: a daemon never waits for a client (deadlines on both sides, a bound on connections and on the length of a
+//! line); a request runs to its end whether or not its client still listens.
 
 mod ask;
 mod board;

@@ -1,6 +1,6 @@
 //! What is laid over a map as it outlives the daemon: a file of entries, and of signed documents where only those are taken.
 //!
-//! Signed entries are not in the file themselves: they are read again from their document, whose signature is proved again. Whoever changes the
+//! Signed entries are not in the file themselves: they are read again from their document, whose signature is proved again. A process that changes the
 //! file can take them away or bring back what was signed once, as the daemon's user can anyway, but not make or alter one. Proposals are not signed:
 //! who changes the file of a daemon that takes them can add one.
 

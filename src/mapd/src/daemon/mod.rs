@@ -205,7 +205,7 @@ pub(crate) fn run(
         }
         obey(&received, &mut state, &worker, &stop);
     }
-    // Whoever waits for an answer hears that there is none, the compiler is ended, and the sockets are removed while the
+    // Clients that wait for an answer are told that there is none, the compiler is ended, and the sockets are removed while the
     // maps are still claimed.
     // What watches over the daemon may be attaching at this moment, and is greeted until it has ended.
     state.server.meanwhile(|| drop(watched_over))?;

@@ -27,7 +27,7 @@ pub(crate) struct Change {
     /// Leave it staged; for those whom nobody asked, what the map's settings say.
     pub(crate) stage: bool,
     pub(crate) begun: Instant,
-    /// Who waits for the outcome. If nobody does any more, it is nobody's loss.
+    /// Where the outcome goes. If nobody waits for it any more, it is dropped.
     pub(crate) reply: Option<Sender<Response>>,
 }
 

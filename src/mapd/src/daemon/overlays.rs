@@ -37,7 +37,7 @@ pub(crate) struct OverlayRules {
     pub(crate) trust: Option<TrustedKey>,
 }
 
-/// Something to be done with an overlay, and who waits for what comes of it.
+/// Something to be done with an overlay, and where the outcome goes.
 pub(crate) struct OverlayOrder {
     pub(crate) map: String,
     pub(crate) action: Action,

@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 /// Time between two looks.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// Files must have been the same for so long before they are read: whoever writes several of them, or one in place, has
+/// Files must have been the same for so long before they are read: a process that writes several of them, or one in place, has
 /// finished then.
 const QUIET: Duration = Duration::from_millis(400);
 

@@ -55,7 +55,7 @@ impl Worker {
     /// Has a map prepared, after those that wait already.
     pub(crate) fn prepare(&self, job: Job) {
         if let Some(jobs) = &self.jobs {
-            // Fails only if the thread has panicked; who waits for the outcome then hears that the daemon gives none.
+            // Fails only if the thread has panicked; the client that waits for the outcome is then told that there is none.
             let _ = jobs.send(job);
         }
     }

@@ -110,7 +110,7 @@ pub(crate) fn notice(notice: &Notice) {
     }
 }
 
-/// `mapd: ` and the message, with the level where it is a warning or worse; lines of another process as they are. Time and process are added by whoever keeps the
+/// `mapd: ` and the message, with the level where it is a warning or worse; lines of another process as they are. Time and process are added by what keeps the
 /// log, such as journald.
 struct Plain;
 

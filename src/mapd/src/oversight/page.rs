@@ -87,7 +87,7 @@ fn listen(stopped: &UnixStream, listener: &TcpListener, text: Text<'_>) {
         let now = Instant::now();
         connections.retain_mut(|one| {
             let is_ready = ready.next().is_some_and(|ready| *ready);
-            // Whoever hangs up, says nothing in time or too much has no answer.
+            // A client that closes the connection, sends nothing in time or too much gets no answer.
             now < one.until && (!is_ready || one.go_on(text).is_ok_and(|is_done| !is_done))
         });
         if *is_asked {
@@ -102,7 +102,7 @@ fn take(listener: &TcpListener, connections: &mut Vec<Connection>, text: Text<'_
         match listener.accept() {
             Ok((stream, _)) => {
                 let Ok(mut one) = Connection::new(stream) else { continue };
-                // Who asks in the same breath is answered before it takes anybody's place.
+                // A client whose request has arrived with the connection is answered before it takes another one's place.
                 if !one.go_on(text).is_ok_and(|is_done| !is_done) {
                     continue;
                 }
@@ -119,7 +119,7 @@ fn take(listener: &TcpListener, connections: &mut Vec<Connection>, text: Text<'_
     }
 }
 
-/// Somebody who asks, and is answered.
+/// A client's connection, from request to answer.
 struct Connection {
     stream: TcpStream,
     until: Instant,
@@ -142,7 +142,7 @@ impl Connection {
 
     /// Reads and writes what can be; whether the answer has been written.
     ///
-    /// Errors: who asks has gone, or asks too much.
+    /// Errors: the client has closed the connection, or its request is too long.
     fn go_on(&mut self, text: Text<'_>) -> io::Result<bool> {
         match self.read().and_then(|()| self.write(text)) {
             Err(error) if error.kind() == io::ErrorKind::WouldBlock => Ok(false),

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 /// Rounds in one interval of the watchdog: one may fail, and the next come late, before the service manager acts.
 const PER_INTERVAL: u32 = 3;
 
-/// Share of a round's wait within which maps are asked: whoever is asked has the rest of it at least, and the daemon does not
+/// Share of a round's wait within which maps are asked: a map that is asked has the rest of it at least, and the daemon does not
 /// spend all its time asking.
 const ASKING: u32 = 2;
 

@@ -40,7 +40,7 @@ impl Doorbell {
         signal_hook::low_level::pipe::register(signal, self.sender.try_clone()?).map(|_| ())
     }
 
-    /// Forgets the calls that have come: whoever looks for what is wanted afterwards misses none.
+    /// Forgets the calls that have come. A caller that looks for work afterwards misses none.
     pub fn answer(&self) {
         let mut buffer = [0; 64];
         // Ends with an error, would-block, once there is nothing more; interrupted, it rings again.

@@ -51,7 +51,7 @@ pub(crate) fn greet_until(
         None => None,
     };
     let mut bells = Vec::new();
-    // Where nothing is served yet, there is nothing to greet with; who rings meanwhile has it from the first sending.
+    // Where nothing is served yet, there is nothing to greet with; a client that rings meanwhile gets the map when it is first sent.
     for (name, ports) in maps.iter().filter(|(_, ports)| ports.info().is_some()) {
         let bell = waits
             .attach_notification(&ports.woken)

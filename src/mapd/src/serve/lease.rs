@@ -8,11 +8,11 @@ use std::os::fd::{AsRawFd, RawFd};
 /// `F_SETSIG` of Linux, which libc does not name: the signal that tells of a lease that is asked for.
 const SET_SIGNAL: i32 = 10;
 
-/// Whether anybody else has a file open, or maps it. `file` has to be opened read-only: whoever may write is in the way of its own lease. Where the
+/// Whether anybody else has a file open, or maps it. `file` has to be opened read-only: an open file that may be written to prevents its own lease. Where the
 /// system cannot tell, nobody does.
 pub(super) fn is_held(file: &File) -> bool {
     let fd = file.as_raw_fd();
-    // Whoever opened the file in this moment would be announced by a signal, which by default ends the process; this one does not.
+    // A process that opens the file at this moment is announced by a signal, which by default ends the process; this one does not.
     let quiet = lease(fd, SET_SIGNAL, libc::SIGURG);
     // A lease to write is granted only where nobody else has the file open; mappings do.
     match quiet.and_then(|()| lease(fd, libc::F_SETLEASE, libc::F_WRLCK)) {

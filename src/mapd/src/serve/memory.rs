@@ -79,7 +79,7 @@ pub(crate) fn or_shortage(error: ServeError) -> ServeError {
     }
 }
 
-/// Checks that descriptors are left. Takes a look at each of them: for whoever has failed already.
+/// Checks that descriptors are left. Looks at each of them, so it is for callers that have failed already.
 fn check_descriptors() -> Result<(), ServeError> {
     match descriptors() {
         Some(Descriptors { left, limit }) if left < ATTACH_DESCRIPTORS => {

@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 /// Removes the files of dead nodes that have no details, and of what is no node. Under the exclusive attach lock nobody
-/// is making a node; who is just removing one finds its last files gone, which is what it wants.
+/// is making a node; a process that is just removing one finds its last files gone, which is what it wants.
 pub(crate) fn purge(domain: &Domain, config: &Config, _exclusive: &AttachGuard) {
     let mut in_use = BTreeSet::new();
     let mut hopeless = BTreeSet::new();

@@ -31,7 +31,7 @@ const DESCRIPTION_ENDING: &str = ".service";
 
 /// Removes the state of services that have no description, and what listeners and publishers left that no service knows.
 /// Processes that have such a file open keep what they have mapped. Under the exclusive attach lock nobody is making a
-/// service or a port; who is just removing one finds its last files gone, which is what it wants. What cannot be told is
+/// service or a port; a process that is just removing one finds its last files gone, which is what it wants. What cannot be told is
 /// left.
 pub(crate) fn remove(
     domain: &Domain,

@@ -84,7 +84,7 @@ pub(crate) fn remove_left(domain: &Domain, map: &str) {
 }
 
 impl Server {
-    /// Lays an overlay over what is served of a map, in the place of the one before; `None`: nothing is laid over it any more. Who waits is
+    /// Lays an overlay over what is served of a map, in the place of the one before; `None`: nothing is laid over it any more. Clients that wait are
     /// woken.
     ///
     /// Errors: nothing is served; what the system says. Then what was laid over it stays.

@@ -92,7 +92,7 @@ impl Segment {
         }
     }
 
-    /// Has the kernel provide all its pages now: too little memory is an error here, and would be SIGBUS for whoever
+    /// Has the kernel provide all its pages now: too little memory is an error here, and would be SIGBUS for the process that
     /// writes. (Populating the mapping with `madvise` would do as well, but needs Linux 5.14.)
     ///
     /// Errors: no space, no memory.

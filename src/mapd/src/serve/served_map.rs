@@ -185,7 +185,7 @@ impl MapPorts {
 
     /// Tells those who wait.
     ///
-    /// Errors: iceoryx2 refuses; whoever waits looks by itself now and then.
+    /// Errors: iceoryx2 refuses; clients that wait poll from time to time.
     pub(crate) fn announce(&self) -> Result<(), ServeError> {
         self.changed.notify().map(|_| ()).map_err(ServeError::iceoryx("announcing a generation"))
     }

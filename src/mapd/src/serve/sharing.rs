@@ -20,7 +20,7 @@ impl Server {
     }
 }
 
-/// A daemon serves as its own user, whoever is trusted in its environment.
+/// A daemon serves as its own user, whatever users its environment trusts.
 ///
 /// Errors: another user is named as the owner.
 pub(super) fn check_owner_is_us(domain: &Domain) -> Result<(), ServeError> {

@@ -1,6 +1,6 @@
 //! Anchors around a target: its distances from and to landmarks follow from theirs.
 //!
-//! Whoever comes to the target passes an anchor or begins behind the last one, and landmarks are anchors. So the distance from a landmark is the
+//! Each way to the target passes an anchor or begins behind the last one, and landmarks are anchors. So the distance from a landmark is the
 //! least over the anchors behind, each with the way from it; the distance to a landmark is at most that over any anchor ahead.
 
 use crate::graph::LaneNode;

@@ -136,7 +136,7 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
     pub(super) fn expand(&mut self, bounds: &Bounds<'a>, limit: f64) {
         while let Some(open) = self.scratch.heap.pop() {
             if open.key() >= self.most().max(limit) {
-                // Whoever goes on from here needs it.
+                // A search that goes on from here needs it.
                 self.scratch.heap.push(open);
                 break;
             }

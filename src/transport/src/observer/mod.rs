@@ -20,7 +20,7 @@
 //! ([`LOOK`](self::reader)), so that a wake-up that is lost costs that much. The next daemon goes on with the page it finds.
 //!
 //! Whose word is taken: root folder, record and segment belong to the owner that the reader trusts, by `fstat` on what was opened and, for the folder, by its path;
-//! names in a record are plain and lie in the domain. Whoever can write these files is trusted with memory that never shrinks: a mapping of a file that
+//! names in a record are plain and lie in the domain. A process that can write these files is trusted with memory that never shrinks: a mapping of a file that
 //! becomes shorter ends its reader by SIGBUS. Holes would do so where shared memory is full; files with holes are refused.
 
 mod memory;

@@ -1,6 +1,6 @@
 //! The record's protocol, searched exhaustively: `page.rs` itself runs on a memory as weak as the language allows.
 //!
-//! A writer depends on no reader. So all its stores are made first, each with what it hands on to whoever reads it; then a reader runs once for
+//! A writer depends on no reader. So all its stores are made first, each with what it hands on to its reader; then a reader runs once for
 //! every sequence of stores that its loads may meet: for each load, any store that is not older than what the reader has seen of that word. That is all
 //! that release, acquire and relaxed operations and fences promise, for a reader that stores nothing. A kill between any two stores is a shorter
 //! list of stores, which a successor goes on with.
@@ -23,7 +23,7 @@ type View = Vec<usize>;
 #[derive(Clone)]
 struct Store {
     value: u64,
-    /// What whoever reads it by an acquiring load, or before an acquiring fence, knows from then on.
+    /// What a reader that loads it with acquire, or before an acquire fence, knows from then on.
     hands_on: View,
 }
 

@@ -29,7 +29,7 @@ pub(super) struct Page {
 impl Page {
     /// The sequence, and the slot that holds; `None` if another came to hold meanwhile, which may have been written over.
     ///
-    /// Why a slot is whole if the sequence did not change: a slot is written only while the other one holds. Whoever sees a word of the
+    /// Why a slot is whole if the sequence did not change: a slot is written only while the other one holds. A reader that sees a word of the
     /// next round in it has, by the two fences, also seen that the other one came to hold.
     pub(super) fn read(&self) -> Option<(u32, Words)> {
         let sequence = self.sequence.load(Ordering::Acquire);

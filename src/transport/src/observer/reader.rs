@@ -355,7 +355,7 @@ mod tests {
         }
     }
 
-    /// Whoever sleeps without an end would sleep for ever if nobody woke it.
+    /// A reader that sleeps without a deadline would sleep for ever if nobody woke it.
     #[test]
     fn who_sleeps_is_woken() {
         let folder = Folder::new("recordwake");
@@ -381,7 +381,7 @@ mod tests {
         assert!(!path.exists());
     }
 
-    /// The page that a killed daemon left is gone on with, so that who waits on it hears of its successor; one that is damaged, or of another
+    /// The page that a killed daemon left is gone on with, so that readers that wait on it are woken by its successor; one that is damaged, or of another
     /// release, is not.
     #[test]
     fn a_record_is_gone_on_with() {

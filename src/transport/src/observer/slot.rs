@@ -250,7 +250,7 @@ mod tests {
         }
     }
 
-    /// Whoever writes a checksum that fits gets no further than the domain's own files.
+    /// A forged record with a checksum that fits leads no further than the domain's own files.
     #[test]
     fn what_must_not_be_said_is_refused() {
         let name = |name: &str| {

@@ -39,7 +39,7 @@ impl RecordWriter {
         let us = rustix::process::geteuid().as_raw();
         let record = match open_own(&path, us, share) {
             Ok(record) if is_ours(record.page()) => record,
-            // None, one of another release, or one that is damaged: who waits on it finds by the name that another has taken its place.
+            // None, one of another release, or one that is damaged: a reader that waits on it finds by the name that another has taken its place.
             _ => {
                 create(&path, share)?;
                 open_own(&path, us, share).map_err(as_io)?
@@ -62,7 +62,7 @@ impl RecordWriter {
         let page = self.page();
         page.hold(prepared.0);
         self.beat();
-        // Fails for no word that is mapped; who is not woken looks by itself.
+        // Fails for no word that is mapped; a reader that is not woken looks by itself.
         let _ = futex::wake(&page.sequence, futex::Flags::empty(), i32::MAX as u32);
     }
 

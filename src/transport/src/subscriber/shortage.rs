@@ -16,7 +16,7 @@ pub(crate) fn check_room() -> Result<(), AttachError> {
     }
 }
 
-/// Checks that there are so many. Takes a look at each descriptor: for whoever has failed already.
+/// Checks that there are so many. Looks at each descriptor, so it is for callers that have failed already.
 ///
 /// Errors: [`AttachError::NoDescriptors`].
 pub(crate) fn check_descriptors(needed: u64) -> Result<(), AttachError> {

@@ -163,7 +163,7 @@ impl Inputs {
         Ok(self.push(Box::new(file), &path.display().to_string(), Some(real), Some(at)))
     }
 
-    /// Whoever waits for a file to come wants to know which.
+    /// A caller that waits for a file to appear needs its name.
     fn note(&self, refusal: &IncludeRefusal) {
         if let IncludeRefusal::Unreadable(path, _) = refusal {
             self.shared.places.add_missing(path.clone());

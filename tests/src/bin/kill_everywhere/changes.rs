@@ -1,5 +1,5 @@
 //! A daemon killed at every system call of reloading, rolling back, staging and activating, those of its compiler among them;
-//! and who asks for it, at every system call of asking.
+//! and the client that asks for it, at every system call of asking.
 
 use crate::QUESTION;
 use crate::check::{Witness, is_found_whole_or_not, nothing_left, settles};
@@ -168,7 +168,7 @@ fn serving(
                         let mut command = stage.command(&args);
                         served.asked(i);
                         if !command.stderr(Stdio::null()).status().is_ok_and(|end| end.success()) {
-                            // Whoever asks a killed daemon for more gets no answer either.
+                            // A client that asks a killed daemon for more gets no answer either.
                             break;
                         }
                         served.answered(i);

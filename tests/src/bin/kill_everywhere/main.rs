@@ -71,7 +71,7 @@ enum Victim {
     DaemonWithClient,
     /// A daemon that reloads, rolls back, stages and activates, beside a client that follows
     Changes,
-    /// Whoever asks a daemon to do so
+    /// The client that asks a daemon to do so
     Asker,
     /// A daemon that lays overlays over what it serves
     Overlays,

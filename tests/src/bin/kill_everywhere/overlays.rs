@@ -40,7 +40,7 @@ pub(crate) fn daemon(mapd: &Path, choice: Choice<'_>) -> Checked<Report> {
     )
 }
 
-/// The revision that whoever attaches finds, whole.
+/// The revision that a client finds when it attaches, whole.
 fn revision(stage: &Stage) -> Checked<Option<usize>> {
     let client = match stage.client(Attach::Observer, Duration::ZERO) {
         Ok(client) => client,

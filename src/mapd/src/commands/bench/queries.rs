@@ -93,7 +93,7 @@ fn run<T>(
     };
     let (mut shared, mut file) = (Vec::new(), Vec::new());
     for (turn, inputs) in inputs.chunks(TURN).enumerate() {
-        // Who is second finds the inputs in the caches: each is as often.
+        // The second one finds the inputs in the caches: each is second equally often.
         if turn % 2 == 0 {
             time(maps.shared, inputs, &mut shared);
             time(maps.file, inputs, &mut file);

@@ -233,7 +233,7 @@ fn compile_one(
     Ok(exit)
 }
 
-/// Compiles one file in a child, for whoever runs out of memory cannot say much any more.
+/// Compiles one file in a child process: one that runs out of memory cannot report it itself.
 fn in_child(
     command: &CompileCommand,
     file: &Path,

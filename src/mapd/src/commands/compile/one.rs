@@ -69,7 +69,7 @@ pub(super) fn compile(
         json.push(b'\n');
         draft::write(path, &json)?;
     }
-    // Last: whoever sees the archive finds the report that is about it.
+    // Last: a process that sees the archive finds its report, too.
     if let Some(written) = unnamed {
         written.publish()?;
     }

@@ -42,7 +42,7 @@ pub(super) struct Plan<'a> {
 pub(super) fn run(plan: &Plan<'_>, manner: Manner) -> Result<Vec<Row>> {
     let cancelled = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM] {
-        // Who asks twice does not wait for the tidying up.
+        // A second signal ends the process without waiting for cleanup.
         signal_hook::flag::register_conditional_default(signal, cancelled.clone())
             .and_then(|_| signal_hook::flag::register(signal, cancelled.clone()))
             .context("installing the handlers of SIGINT and SIGTERM")?;
@@ -276,7 +276,7 @@ impl TilesDone {
     }
 }
 
-/// Whoever panicked while holding it has left numbers, which serve as well.
+/// A poisoned lock is taken all the same: a thread that panicked has left numbers that are still usable.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,4 +1,4 @@
-//! Limits of processes, which daemon and clients inherit from whoever starts them.
+//! Limits of processes, which daemon and clients inherit from their parent process.
 
 use super::finding::{Finding, size};
 use rustix::process::{Resource, getrlimit};

@@ -15,7 +15,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Time between two looks. A file must have been the same in two of them: whoever writes it has finished then.
+/// Time between two looks. A file must have been the same in two of them: its writer has finished then.
 const LOOK: Duration = Duration::from_millis(300);
 
 /// What is followed: a file, or all files of a folder.

@@ -14,7 +14,7 @@ use std::time::Duration;
 
 /// How long a request may take to arrive, and a piece of an answer to be taken.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Connections at a time; who comes beyond them is told to come again.
+/// Connections at a time; further ones are told to try again later.
 const MOST_CONNECTIONS: usize = 64;
 /// Longest head of a request \[bytes\].
 const LONGEST_HEAD: usize = 8 << 10;
@@ -146,7 +146,7 @@ impl Drop for ConnectionSlot<'_> {
 
 /// Reads up to the empty line.
 ///
-/// Errors: who asks has gone, says nothing in time, or too much.
+/// Errors: the peer has closed the connection, sends nothing in time, or too much.
 fn read_head(stream: &mut TcpStream) -> io::Result<String> {
     let (mut head, mut buffer) = (Vec::new(), [0; 1024]);
     while !head.windows(4).any(|end| end == b"\r\n\r\n") {
@@ -213,7 +213,7 @@ fn status(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
     }
 }
 
-/// An event for each generation and overlay, from those that are served now on, until whoever listens has gone.
+/// An event for each generation and overlay, from those that are served now on, until the peer closes the connection.
 fn events(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
     ok(stream, "text/event-stream", "")?;
     let mut told = None;

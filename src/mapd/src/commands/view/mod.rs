@@ -13,7 +13,7 @@ use std::io::Write;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
 
-pub(crate) const HELP: &str = "Prints the address of the page, and serves it until it is ended. Other machines are refused unless --open lets them look: whoever reaches the port sees the maps.";
+pub(crate) const HELP: &str = "Prints the address of the page, and serves it until it is ended. Other machines are refused unless --open lets them look: everyone who can reach the port sees the maps.";
 
 /// Which maps to show, and to whom.
 #[derive(Args)]
