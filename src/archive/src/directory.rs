@@ -111,7 +111,7 @@ pub(crate) fn feature_bit(number: u32) -> u64 {
 
 /// A table in an archive: its entry, read once, and its bytes.
 #[derive(Clone, Copy)]
-struct Found<'a> {
+struct TableBytes<'a> {
     entry: TableEntry,
     bytes: &'a [u8],
 }
@@ -122,7 +122,7 @@ pub(crate) struct Reader<'a> {
     /// Entries that have not been read.
     entries: &'a [ArchivedTableEntry],
     /// An entry that has been read and not been taken.
-    ahead: Option<Found<'a>>,
+    ahead: Option<TableBytes<'a>>,
     /// Number of the last table that was read.
     last: u32,
     /// What lies behind the last table that was read.
@@ -167,8 +167,8 @@ impl<'a> Reader<'a> {
             }
             match self.ahead {
                 // Of another release.
-                Some(Found { entry, .. }) if entry.number < kind.number => self.ahead = None,
-                Some(Found { entry, bytes }) if entry.number == kind.number => {
+                Some(TableBytes { entry, .. }) if entry.number < kind.number => self.ahead = None,
+                Some(TableBytes { entry, bytes }) if entry.number == kind.number => {
                     if (entry.row_id, entry.row_bytes) != (kind.row_id, kind.row_bytes) {
                         return Err(OpenError::Row {
                             table: kind.name,
@@ -193,7 +193,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads the next entry, once: bytes that change afterwards lead nowhere else.
-    fn read(&mut self) -> Result<Option<Found<'a>>, OpenError> {
+    fn read(&mut self) -> Result<Option<TableBytes<'a>>, OpenError> {
         let Some((entry, rest)) = self.entries.split_first() else { return Ok(None) };
         let entry = entry.to_native();
         let bytes = self.bytes_of(&entry).filter(|bytes| {
@@ -205,7 +205,7 @@ impl<'a> Reader<'a> {
             return Err(OpenError::Table { table, length: entry.count });
         };
         (self.entries, self.last) = (rest, entry.number);
-        Ok(Some(Found { entry, bytes }))
+        Ok(Some(TableBytes { entry, bytes }))
     }
 
     fn bytes_of(&self, entry: &TableEntry) -> Option<&'a [u8]> {

@@ -182,7 +182,7 @@ pub(super) fn write(
             done += 1;
             let places = frame.places(&shape)?;
             let mut written = Ok(false);
-            let placed = Placed { shape: &shape, places: &places };
+            let placed = PlacedShape { shape: &shape, places: &places };
             let added = writer.add_feature_geom(placed, |row| {
                 written = row.property(0, LAYER.0, &ColumnValue::String(layer.name()));
                 for (number, value) in numbers.iter().zip(values) {
@@ -248,12 +248,12 @@ fn column_value<'a>(value: &'a Value<'_>) -> Option<ColumnValue<'a>> {
 }
 
 /// A shape with its points in the file's frame.
-struct Placed<'a> {
+struct PlacedShape<'a> {
     shape: &'a Shape,
     places: &'a [Coordinate],
 }
 
-impl GeozeroGeometry for Placed<'_> {
+impl GeozeroGeometry for PlacedShape<'_> {
     fn process_geom<P: GeomProcessor>(&self, to: &mut P) -> GeometryResult<()> {
         let points = |to: &mut P, places: &mut dyn Iterator<Item = &Coordinate>| {
             let mut places = places.enumerate();

@@ -9,13 +9,13 @@ use std::fs::{File, OpenOptions};
 use std::path::Path;
 
 /// An archive that is written but for its name.
-pub(crate) struct Written {
+pub(crate) struct UnnamedArchive {
     draft: Draft,
     /// Its header.
     pub(crate) header: Header,
 }
 
-impl Written {
+impl UnnamedArchive {
     /// Gives it its name, so that a reader sees the old file or the new one.
     ///
     /// Errors: what the system says; nothing is left behind.
@@ -38,13 +38,13 @@ pub fn write(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header
 ///
 /// Errors: the folder cannot be written, or the disk is full; the archive is not sound, which is this program's fault; nothing
 /// is left behind.
-pub(crate) fn prepare(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Written> {
+pub(crate) fn prepare(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<UnnamedArchive> {
     let context = || format!("writing {}", path.display());
     let draft = Draft::begin(path).with_context(context)?;
     let header = fill(draft.file(), rows, provenance).with_context(context)?;
     prove(draft.path()).with_context(context)?;
     draft.file().sync_data().with_context(context)?;
-    Ok(Written { draft, header })
+    Ok(UnnamedArchive { draft, header })
 }
 
 /// Proves an archive that has been written, in place.

@@ -97,13 +97,13 @@ fn position_values(at: &PathPosition) -> [f64; 5] {
 }
 
 /// Columns of numbers, of lanes and of what was clamped.
-struct Found<const N: usize> {
+struct Columns<const N: usize> {
     numbers: [Vec<f64>; N],
     lanes: Vec<u64>,
     clamped: Vec<i8>,
 }
 
-impl<const N: usize> Found<N> {
+impl<const N: usize> Columns<N> {
     fn with_capacity(rows: usize) -> Self {
         Self {
             numbers: std::array::from_fn(|_| Vec::with_capacity(rows)),
@@ -185,7 +185,7 @@ impl Path {
         let along = crate::input::column_of_any(along, "along")?;
         let found = answer(py, || {
             let content = content(self.held.map());
-            let mut found = Found::with_capacity(along.len());
+            let mut found = Columns::with_capacity(along.len());
             for (row, along) in along.iter().enumerate() {
                 let at = path.at(*along).map_err(|error| (row, error))?;
                 let lane = id(content, at.lane.row());
@@ -223,7 +223,7 @@ impl Path {
         let points = Rows::of(points, "points", &[2, 3])?;
         let found = answer(py, || {
             let content = content(self.held.map());
-            let mut found = Found::with_capacity(points.len());
+            let mut found = Columns::with_capacity(points.len());
             for (row, point) in points.points().enumerate() {
                 let at = path.project(point.xy, hint).map_err(|error| (row, error))?;
                 let lane = id(content, at.lane.row());

@@ -6,7 +6,7 @@
 use crate::lane::Lane;
 use crate::polyline::segment_ends;
 use crate::profile::At;
-use crate::road::Piece;
+use crate::road::GeometryPiece;
 use crate::types::{Clamped, LaneEdges, LanePosition, turned};
 use glam::DVec2;
 use mapd_archive::ArchivedGeometryRow;
@@ -36,7 +36,7 @@ pub(crate) struct Slab<'a> {
     pub(crate) s_hi: f64,
     /// The geometry that holds there.
     geometry: &'a ArchivedGeometryRow,
-    pub(crate) piece: Piece<'a>,
+    pub(crate) piece: GeometryPiece<'a>,
 }
 
 impl Slab<'_> {
@@ -67,7 +67,7 @@ pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
 pub(crate) fn slab_around<'a>(
     lane: &Lane<'a>,
     s: f64,
-    (at, piece): (usize, Piece<'a>),
+    (at, piece): (usize, GeometryPiece<'a>),
 ) -> Option<Slab<'a>> {
     let points = lane.center_points();
     let segment = if points.len() == 2 { 0 } else { segment_at(lane, s)? };
@@ -100,7 +100,7 @@ fn slab_between<'a>(
     lane: &Lane<'a>,
     (lo, hi): (f64, f64),
     at: usize,
-    piece: Piece<'a>,
+    piece: GeometryPiece<'a>,
 ) -> Option<Slab<'a>> {
     let (start, end) = (lane.section.s_start(), lane.section.s_end());
     let rows = lane.road.geometries();
@@ -145,7 +145,7 @@ impl Cross for Lane<'_> {
 }
 
 /// A place across a lane, at a foot on the reference line.
-struct Across {
+struct LateralPlace {
     at: At,
     /// Cosine and sine of the superelevation.
     roll: (f64, f64),
@@ -154,7 +154,7 @@ struct Across {
     edges: LaneEdges,
 }
 
-impl Across {
+impl LateralPlace {
     #[inline(always)]
     fn new(cross: &impl Cross, slab: &Slab<'_>, u: f64, lateral: f64) -> Self {
         let at = slab.at(clamp(slab.piece.s + u, slab.s_lo, slab.s_hi));
@@ -208,7 +208,7 @@ pub(crate) struct SlabPosition<'a> {
 
 impl<'a> SlabPosition<'a> {
     #[inline]
-    fn new(slab: &Slab<'a>, across: &Across, (distance, is_beyond): (f64, bool)) -> Self {
+    fn new(slab: &Slab<'a>, across: &LateralPlace, (distance, is_beyond): (f64, bool)) -> Self {
         Self {
             geometry: slab.geometry,
             at: across.at,
@@ -241,7 +241,7 @@ impl<'a> SlabPosition<'a> {
 
     /// As [`Self::heading`], where the piece is known.
     #[inline(always)]
-    fn heading_on(&self, piece: Option<Piece<'_>>) -> f64 {
+    fn heading_on(&self, piece: Option<GeometryPiece<'_>>) -> f64 {
         piece.map_or(0.0, |piece| normalize_angle(piece.curve.heading(self.at.s - piece.s)))
     }
 
@@ -303,7 +303,7 @@ pub(crate) fn place_inside<'a>(
         slab.s_lo - piece.s,
         slab.s_hi - piece.s,
     )?;
-    let across = Across::new(cross, slab, u, lateral);
+    let across = LateralPlace::new(cross, slab, u, lateral);
     let [low, high] = across.sides();
     if !(across.t - high <= EDGE && low - across.t <= EDGE) {
         return None;
@@ -321,7 +321,7 @@ pub(crate) fn place_at_foot<'a>(
     slab: &Slab<'a>,
     [u, lateral]: [f64; 2],
 ) -> Option<Option<SlabPosition<'a>>> {
-    let across = Across::new(lane, slab, u, lateral);
+    let across = LateralPlace::new(lane, slab, u, lateral);
     if !across.is_beside() {
         return Some(Some(SlabPosition::new(slab, &across, (0.0, false))));
     }
@@ -340,7 +340,7 @@ pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabP
         slab.s_lo - piece.s,
         slab.s_hi - piece.s,
     );
-    let across = Across::new(lane, slab, foot.u, foot.lateral);
+    let across = LateralPlace::new(lane, slab, foot.u, foot.lateral);
     let beside = across.is_beside();
     let mut distance = f64::INFINITY;
     if foot.clamped {

@@ -1,7 +1,7 @@
 //! A road cut across: what all lanes at one s have in common.
 
 use crate::profile::{self, At};
-use crate::road::{Piece, Road};
+use crate::road::{GeometryPiece, Road};
 use crate::section::LaneSection;
 use crate::types::LaneEdges;
 use glam::DVec3;
@@ -62,22 +62,22 @@ pub struct SectionCutter<'a> {
 
 /// From which s on and up to which one the same records hold.
 #[derive(Clone, Copy)]
-struct Held {
+struct ValidRange {
     from: f64,
     to: f64,
 }
 
 /// What the reference line is made of for a while.
 struct LineStretch<'a> {
-    held: Held,
-    piece: Piece<'a>,
+    held: ValidRange,
+    piece: GeometryPiece<'a>,
     elevation: Record,
     superelevation: Record,
 }
 
 /// What the lanes are made of for a while.
 struct Widths {
-    held: Held,
+    held: ValidRange,
     offset: Record,
     /// From the centre lane outwards.
     left: Vec<Width>,
@@ -134,7 +134,7 @@ impl Width {
     }
 }
 
-impl Held {
+impl ValidRange {
     const ALWAYS: Self = Self { from: f64::NEG_INFINITY, to: f64::INFINITY };
 
     fn contains(self, hold: f64) -> bool {
@@ -300,7 +300,7 @@ impl SectionCutter<'_> {
 
 impl<'a> LineStretch<'a> {
     fn at(road: &Road<'a>, s: f64) -> Option<Self> {
-        let mut held = Held::ALWAYS;
+        let mut held = ValidRange::ALWAYS;
         let rows = road.geometries();
         let next = rows.partition_point(|row| row.s() <= s);
         held.narrow(rows, next, |row| row.s());
@@ -327,7 +327,7 @@ impl Widths {
 
     /// None for a section without a centre lane.
     fn at(road: &Road<'_>, section: &LaneSection<'_>, hold: f64) -> Option<Self> {
-        let mut held = Held::ALWAYS;
+        let mut held = ValidRange::ALWAYS;
         let lanes = section.rows();
         let center = lanes.binary_search_by(|lane| 0.cmp(&lane.number())).ok()?;
         let is_temporary = lanes.first()?.flags() & lane_flags::TEMPORARY != 0;

@@ -2,7 +2,7 @@
 
 use crate::lane::Lane;
 use crate::profile::{At, Slope};
-use crate::road::{Piece, Road};
+use crate::road::{GeometryPiece, Road};
 use mapd_archive::{ArchivedCubicRow, SpeedKind};
 
 /// Speed assumed where the file states none `[m/s]`: 50 km/h, the usual limit in towns.
@@ -22,19 +22,19 @@ const GAUSS: f64 = 0.577_350_269_189_625_8;
 
 /// A piece of the reference line, from which s on and up to which one it holds. Places that are asked for one behind the other
 /// mostly lie on the same.
-struct Held<'a> {
-    piece: Option<Piece<'a>>,
+struct CachedGeometry<'a> {
+    piece: Option<GeometryPiece<'a>>,
     from: f64,
     to: f64,
 }
 
-impl<'a> Held<'a> {
+impl<'a> CachedGeometry<'a> {
     /// Holds nowhere.
     const NONE: Self = Self { piece: None, from: f64::INFINITY, to: f64::NEG_INFINITY };
 
     /// The piece that holds at s, as [`Road::piece_at`] finds it.
     #[inline]
-    fn at(&mut self, road: &Road<'a>, s: f64) -> Option<Piece<'a>> {
+    fn at(&mut self, road: &Road<'a>, s: f64) -> Option<GeometryPiece<'a>> {
         if !(s >= self.from && s < self.to) {
             let rows = road.geometries();
             let next = rows.partition_point(|g| g.s() <= s);
@@ -84,7 +84,7 @@ impl<'a> Lane<'a> {
         let (from, to) = (inside(a.min(b)), inside(a.max(b)));
         let line = self.center_line();
         let (mut sum, mut last) = (0.0, from);
-        let mut held = Held::NONE;
+        let mut held = CachedGeometry::NONE;
         let even = self.even_growth(&mut held, from, to);
         let within = line.points_before(from)..line.len();
         let cuts = within.map_while(|i| line.station(i).filter(|s| *s < to));
@@ -102,7 +102,7 @@ impl<'a> Lane<'a> {
 
     /// Metres of centre line per metre of s between two s, where they are the same all along: the reference line is one line or
     /// one arc, and superelevation and widths do not change.
-    fn even_growth(&self, held: &mut Held<'a>, from: f64, to: f64) -> Option<f64> {
+    fn even_growth(&self, held: &mut CachedGeometry<'a>, from: f64, to: f64) -> Option<f64> {
         let piece = held.at(&self.road, from).filter(|_| from < to && to <= held.to)?;
         piece.curve.even_curvature_up_to(to - piece.s)?;
         let offsets = if self.is_temporary() {
@@ -122,13 +122,13 @@ impl<'a> Lane<'a> {
     }
 
     /// Length of a stretch on which the lane is smooth. `held` is the piece that held at the place before.
-    fn stretch(&self, held: &mut Held<'a>, from: f64, to: f64) -> f64 {
+    fn stretch(&self, held: &mut CachedGeometry<'a>, from: f64, to: f64) -> f64 {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         half * (self.growth(held, middle - half * GAUSS) + self.growth(held, middle + half * GAUSS))
     }
 
     /// Metres of centre line per metre of s, in plan view.
-    fn growth(&self, held: &mut Held<'a>, s: f64) -> f64 {
+    fn growth(&self, held: &mut CachedGeometry<'a>, s: f64) -> f64 {
         let at = At::new(s);
         let edges = self.edge_slopes(at);
         let center = Slope {

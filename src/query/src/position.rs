@@ -24,7 +24,7 @@ const MIN_CONTRACTION: f64 = 0.2;
 const BESIDE_END: f64 = 1e-6;
 
 /// What the feet of a point on the reference line along a lane say of its place.
-enum Held<'a> {
+enum HoldingStretch<'a> {
     /// One stretch alone holds it.
     In(SlabPosition<'a>),
     /// None does.
@@ -36,7 +36,7 @@ enum Held<'a> {
 /// The stretch that holds a point, where the lane's geometries are few lines and arcs on which the point has but one foot. A stretch
 /// holds no point without a foot on it.
 #[inline]
-fn held<'a>(lane: &Lane<'a>, local: DVec2) -> Held<'a> {
+fn held<'a>(lane: &Lane<'a>, local: DVec2) -> HoldingStretch<'a> {
     let (start, end) = (lane.section.s_start(), lane.section.s_end());
     let rows = lane.road.geometries();
     let first = rows.partition_point(|g| g.s() <= start).saturating_sub(1);
@@ -44,26 +44,26 @@ fn held<'a>(lane: &Lane<'a>, local: DVec2) -> Held<'a> {
     for at in first..first + GEOMETRIES {
         let next = rows.get(at + 1).map(|next| next.s()).filter(|next| *next < end);
         let Some(piece) = rows.get(at).and_then(|g| lane.road.simple_piece(g)) else {
-            return Held::Unknown;
+            return HoldingStretch::Unknown;
         };
         let low = (start - piece.s).max(0.0) - ROUNDING;
         let high = (next.unwrap_or(end) - piece.s).min(piece.curve.length()) + ROUNDING;
         match piece.curve.only_foot(local.x, local.y, low, high) {
             OnlyFoot::At(own) if foot.is_none() => foot = Some((at, own)),
-            OnlyFoot::At(_) | OnlyFoot::Unknown => return Held::Unknown,
+            OnlyFoot::At(_) | OnlyFoot::Unknown => return HoldingStretch::Unknown,
             OnlyFoot::Nowhere => {}
         }
         if next.is_none() {
-            let Some((at, foot)) = foot else { return Held::Nowhere };
-            return held_at(lane, at, foot).unwrap_or(Held::Unknown);
+            let Some((at, foot)) = foot else { return HoldingStretch::Nowhere };
+            return held_at(lane, at, foot).unwrap_or(HoldingStretch::Unknown);
         }
     }
-    Held::Unknown
+    HoldingStretch::Unknown
 }
 
 /// As [`held`], where the only foot is known: on which geometry, and its u and lateral offset.
 #[inline]
-fn held_at<'a>(lane: &Lane<'a>, at: usize, [u, lateral]: [f64; 2]) -> Option<Held<'a>> {
+fn held_at<'a>(lane: &Lane<'a>, at: usize, [u, lateral]: [f64; 2]) -> Option<HoldingStretch<'a>> {
     let piece = lane.road.simple_piece(lane.road.geometries().get(at)?)?;
     let s = piece.s + u;
     let slab = slab_around(lane, s, (at, piece))?;
@@ -74,14 +74,17 @@ fn held_at<'a>(lane: &Lane<'a>, at: usize, [u, lateral]: [f64; 2]) -> Option<Hel
     if !is_apart || 1.0 - piece.curve.curvature(u) * lateral < MIN_CONTRACTION {
         return None;
     }
-    Some(place_at_foot(lane, &slab, [u, lateral])?.map_or(Held::Nowhere, Held::In))
+    Some(
+        place_at_foot(lane, &slab, [u, lateral])?
+            .map_or(HoldingStretch::Nowhere, HoldingStretch::In),
+    )
 }
 
 /// Whether a lane's area holds a point: whether its distance by [`position_in`] is 0. None without an area.
 pub(crate) fn is_in(lane: &Lane<'_>, local: DVec2) -> Option<bool> {
     match held(lane, local) {
-        Held::In(_) => Some(true),
-        Held::Nowhere if lane.row.center_count() > 1 => Some(false),
+        HoldingStretch::In(_) => Some(true),
+        HoldingStretch::Nowhere if lane.row.center_count() > 1 => Some(false),
         _ => Some(nearest_stretch(lane, local)?.distance == 0.0),
     }
 }
@@ -90,7 +93,7 @@ pub(crate) fn is_in(lane: &Lane<'_>, local: DVec2) -> Option<bool> {
 /// first.
 pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition> {
     match held(lane, local) {
-        Held::In(found) => Some(found.position_on_simple(lane)),
+        HoldingStretch::In(found) => Some(found.position_on_simple(lane)),
         _ => nearest_stretch(lane, local).map(|found| found.position(lane)),
     }
 }

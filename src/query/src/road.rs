@@ -60,7 +60,7 @@ pub struct RoadTypeRecord {
 
 /// A plan-view geometry with its place on the road.
 #[derive(Clone, Copy)]
-pub(crate) struct Piece<'a> {
+pub(crate) struct GeometryPiece<'a> {
     pub(crate) s: f64,
     pub(crate) curve: Curve<'a>,
 }
@@ -280,23 +280,23 @@ impl<'a> Road<'a> {
 
     /// The geometry that holds at s: the last that starts at or before it.
     #[inline(always)]
-    pub(crate) fn piece_at(&self, at: At) -> Option<Piece<'a>> {
+    pub(crate) fn piece_at(&self, at: At) -> Option<GeometryPiece<'a>> {
         let rows = self.geometries();
         let after = rows.partition_point(|g| g.s() <= at.hold);
         self.piece(rows.get(after.saturating_sub(1))?)
     }
 
     #[inline(always)]
-    pub(crate) fn piece(&self, g: &'a ArchivedGeometryRow) -> Option<Piece<'a>> {
+    pub(crate) fn piece(&self, g: &'a ArchivedGeometryRow) -> Option<GeometryPiece<'a>> {
         let start = Start { x: g.x(), y: g.y(), heading: g.hdg(), cos: g.cos(), sin: g.sin() };
         let coefficients = g.coefficients().of(self.map.tables().coefficients);
         let curve = Curve::new(CurveKind::from_code(g.kind())?, start, g.length(), coefficients)?;
-        Some(Piece { s: g.s(), curve })
+        Some(GeometryPiece { s: g.s(), curve })
     }
 
     /// As [`Self::piece`], of lines and arcs alone: for less.
     #[inline(always)]
-    pub(crate) fn simple_piece(&self, g: &'a ArchivedGeometryRow) -> Option<Piece<'a>> {
+    pub(crate) fn simple_piece(&self, g: &'a ArchivedGeometryRow) -> Option<GeometryPiece<'a>> {
         let kind = CurveKind::from_code(g.kind())?;
         if kind != CurveKind::Line && kind != CurveKind::Arc {
             return None;
@@ -308,7 +308,7 @@ impl<'a> Road<'a> {
         } else {
             Curve::new(CurveKind::Arc, start, g.length(), coefficients)?
         };
-        Some(Piece { s: g.s(), curve })
+        Some(GeometryPiece { s: g.s(), curve })
     }
 
     /// Every s at which a geometry, elevation, superelevation or lane offset record begins, and the reference line's end.
@@ -392,7 +392,7 @@ impl<'a> Road<'a> {
         }
         let local: DVec2 = point.xy - self.map.origin();
         let end = self.reference_end();
-        let mut best: Option<(f64, Piece<'a>, mapd_geometry::Projection)> = None;
+        let mut best: Option<(f64, GeometryPiece<'a>, mapd_geometry::Projection)> = None;
         let rows = self.geometries();
         for (i, g) in rows.iter().enumerate().filter(|(_, g)| g.s() <= end) {
             let from_start = DVec2::new(local.x - g.x(), local.y - g.y()).length();
@@ -411,7 +411,7 @@ impl<'a> Road<'a> {
             let next = rows.get(i + 1).map_or(end, |next| next.s().min(end));
             let foot = piece.curve.project_within(local.x, local.y, next - piece.s);
             let distance = foot.distance_squared.sqrt();
-            let better = |(d, _, b): &(f64, Piece<'a>, mapd_geometry::Projection)| {
+            let better = |(d, _, b): &(f64, GeometryPiece<'a>, mapd_geometry::Projection)| {
                 // A perpendicular foot has to lose by more than rounding, and wins within it.
                 let allowance = f64::from(i8::from(b.clamped) - i8::from(foot.clamped)) * JOINT;
                 distance < *d + allowance

@@ -9,7 +9,7 @@ use crate::network::Network;
 use crate::order::sort_records;
 use crate::rule::{Check, Minor, Rule};
 use crate::settings::Settings;
-use crate::sink::{Sink, Step};
+use crate::sink::{PathSegment, Sink};
 use mapd_xodr::{Finding, Item, Severity, Span};
 use std::sync::Arc;
 
@@ -165,7 +165,7 @@ impl Examiner {
         &mut self,
         rules: &Rules,
         rank: usize,
-        path: &[Step<'_>],
+        path: &[PathSegment<'_>],
         look: impl FnOnce(&mut Sink<'_>),
     ) {
         let applied = rules.applied.get(rank).zip(self.counts.get_mut(rank));

@@ -43,12 +43,12 @@ pub enum Fault {
 const SHAPES: usize = 5;
 
 /// An attribute's name and number.
-type Written<'a> = (&'static str, &'a Option<Attribute<f64>>);
+type NamedNumber<'a> = (&'static str, &'a Option<Attribute<f64>>);
 
 /// Numbers of a tag; none where one is missing, with a fault about each.
 fn numbers<const N: usize>(
     span: Span,
-    written: [Written<'_>; N],
+    written: [NamedNumber<'_>; N],
     faults: &mut Vec<Fault>,
 ) -> Option<[f64; N]> {
     let mut all = [0.0; N];
@@ -116,7 +116,7 @@ fn arc(
 /// A parametric cubic of the coefficients of u and v; a range that is not written counts as normalized.
 fn cubic(
     span: Span,
-    [u, v]: [[Written<'_>; 4]; 2],
+    [u, v]: [[NamedNumber<'_>; 4]; 2],
     range: Option<ParameterRange>,
     faults: &mut Vec<Fault>,
 ) -> Option<Primitive> {

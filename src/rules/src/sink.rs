@@ -21,12 +21,12 @@ pub(crate) enum Key<'a> {
 
 /// A step of the path to an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Step<'a>(pub(crate) &'static str, pub(crate) Key<'a>);
+pub(crate) struct PathSegment<'a>(pub(crate) &'static str, pub(crate) Key<'a>);
 
 /// Writes `OpenDRIVE/road[@id=7]/…`, and below it the path of a part, if there is one.
-fn write_path(steps: &[Step<'_>], part: &str) -> String {
+fn write_path(steps: &[PathSegment<'_>], part: &str) -> String {
     let mut path = String::from("OpenDRIVE");
-    for Step(name, key) in steps {
+    for PathSegment(name, key) in steps {
         // Writing to a string cannot fail.
         let _ = match key {
             Key::None => write!(path, "/{name}"),
@@ -71,7 +71,7 @@ pub struct Sink<'a> {
     pub(crate) rank: usize,
     pub(crate) severity: Severity,
     pub(crate) version: Minor,
-    pub(crate) path: &'a [Step<'a>],
+    pub(crate) path: &'a [PathSegment<'a>],
     pub(crate) out: &'a mut Vec<(usize, RuleOutcome)>,
     /// Findings of the rule so far.
     pub(crate) count: &'a mut u32,
@@ -129,7 +129,7 @@ impl Sink<'_> {
         expected: impl fmt::Display,
         found: impl fmt::Display,
     ) {
-        let path = || write_path(&[Step(part.element, Key::Id(part.id))], part.path);
+        let path = || write_path(&[PathSegment(part.element, Key::Id(part.id))], part.path);
         self.add_at(path, self.severity, span, expected, found);
     }
 

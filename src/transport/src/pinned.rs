@@ -11,9 +11,9 @@ use std::sync::Arc;
 /// A generation that stays mapped and readable for as long as any clone lives, whatever becomes of the daemon and of the
 /// reader it came from. Cheap to clone; many threads read it without a lock.
 #[derive(Clone)]
-pub struct Pinned(Arc<Held>);
+pub struct Pinned(Arc<PinnedGeneration>);
 
-struct Held {
+struct PinnedGeneration {
     info: GenerationInfo,
     memory: Memory,
 }
@@ -28,7 +28,7 @@ pub(crate) enum Memory {
 
 impl Pinned {
     pub(crate) fn new(info: GenerationInfo, memory: Memory) -> Self {
-        Self(Arc::new(Held { info, memory }))
+        Self(Arc::new(PinnedGeneration { info, memory }))
     }
 
     /// The bytes from `offset` on in a mapping that ends with them.

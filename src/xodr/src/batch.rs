@@ -4,7 +4,7 @@
 //! been read: an end tag may stand in a comment. A batch counts if those before it ended between two elements and it does
 //! itself; from the first on that does not, the document is read on as one.
 
-use crate::cursor::{Cursor, Name, Open, Scope, Step};
+use crate::cursor::{Cursor, Name, NextChild, Open, Scope};
 use crate::extension::Extension;
 use crate::finding::Span;
 use crate::findings::{Findings, KeptFinding};
@@ -147,9 +147,9 @@ impl<'a> Cutter<'a> {
 
 /// What the reading of a batch needs to know of the document: the root as it is open, and the version.
 #[derive(Clone)]
-pub struct Context(Arc<Known>);
+pub struct Context(Arc<ContextData>);
 
-pub(crate) struct Known {
+pub(crate) struct ContextData {
     pub(crate) limits: Limits,
     pub(crate) file: u16,
     pub(crate) version: usize,
@@ -210,7 +210,7 @@ impl ReadBatch {
 }
 
 impl Context {
-    pub(crate) fn new(known: Known) -> Self {
+    pub(crate) fn new(known: ContextData) -> Self {
         Self(Arc::new(known))
     }
 
@@ -247,15 +247,15 @@ impl Context {
             let findings = cursor.findings.kept();
             let entered = Entered { span: cursor.tag.span, findings, kind: cursor.kind };
             let (slot, part) = match step {
-                Step::Child(slot) => match read_document::item(slot, &mut cursor) {
+                NextChild::Child(slot) => match read_document::item(slot, &mut cursor) {
                     Some(item) => {
                         has_header |= matches!(item, Item::Header(_));
                         (Some(slot), take(item).map_or(RootChild::Taken, RootChild::Item))
                     }
                     None => break,
                 },
-                Step::Extension(extension) => (None, RootChild::Extension(extension)),
-                Step::End => break,
+                NextChild::Extension(extension) => (None, RootChild::Extension(extension)),
+                NextChild::End => break,
             };
             cursor.spent = 0;
             let findings = cursor.findings.take_kept();

@@ -80,7 +80,7 @@ pub(crate) struct Open {
 }
 
 /// A step through the children of an element.
-pub(crate) enum Step {
+pub(crate) enum NextChild {
     /// A child of the schema; its start tag has been read.
     Child(usize),
     /// Something else, read to its end.
@@ -317,10 +317,10 @@ impl<'a> Cursor<'a> {
 
     /// The next child of an element.
     #[inline]
-    pub(crate) fn next_child(&mut self, open: &mut Open) -> Step {
+    pub(crate) fn next_child(&mut self, open: &mut Open) -> NextChild {
         if open.empty {
             self.close(open);
-            return Step::End;
+            return NextChild::End;
         }
         loop {
             let text = match (open.schema.content, open.schema.any) {
@@ -336,19 +336,19 @@ impl<'a> Cursor<'a> {
                 }
                 Markup::End => {
                     self.close(open);
-                    return Step::End;
+                    return NextChild::End;
                 }
-                Markup::Over => return Step::End,
+                Markup::Over => return NextChild::End,
             }
             if let Some(slot) = self.child_slot(open) {
                 self.enter(open, slot);
-                return Step::Child(slot);
+                return NextChild::Child(slot);
             }
             if let Some(extension) = self.other_child(open) {
-                return Step::Extension(extension);
+                return NextChild::Extension(extension);
             }
             if self.over {
-                return Step::End;
+                return NextChild::End;
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Reading one element: its attributes into fields, its children one after the other.
 
-use crate::cursor::{Cursor, Step};
+use crate::cursor::{Cursor, NextChild};
 use crate::extension::Extensions;
 use crate::finding::Span;
 use crate::schema::ElementSchema;
@@ -32,9 +32,9 @@ pub(crate) fn read<T: Element>(cursor: &mut Cursor<'_>) -> T {
     cursor.finish_attributes(&mut open);
     loop {
         match cursor.next_child(&mut open) {
-            Step::Child(slot) => value.child(slot, cursor),
-            Step::Extension(extension) => value.extensions().push(extension),
-            Step::End => break,
+            NextChild::Child(slot) => value.child(slot, cursor),
+            NextChild::Extension(extension) => value.extensions().push(extension),
+            NextChild::End => break,
         }
     }
     if T::schema().content.is_some() {

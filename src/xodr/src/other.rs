@@ -1,6 +1,6 @@
 //! Elements beyond the standard's own: kept as text, checked where the standard says something of them.
 
-use crate::cursor::{Cursor, Markup, Name, Open, Step};
+use crate::cursor::{Cursor, Markup, Name, NextChild, Open};
 use crate::extension::{Extension, ExtensionKind};
 use crate::finding::Severity;
 use crate::generated::schema_additional_data as additional;
@@ -140,13 +140,13 @@ impl Cursor<'_> {
         self.finish_attributes(&mut open);
         loop {
             match self.next_child(&mut open) {
-                Step::Child(slot) => {
+                NextChild::Child(slot) => {
                     if let Some(child) = schema.children.get(slot) {
                         self.check_only(child.element);
                     }
                 }
-                Step::Extension(_) => {}
-                Step::End => return,
+                NextChild::Extension(_) => {}
+                NextChild::End => return,
             }
         }
     }

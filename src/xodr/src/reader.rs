@@ -1,7 +1,7 @@
 //! The stream of top-level elements.
 
-use crate::batch::{Batch, Context, Cutter, Entered, Known, ReadBatch, ReadPart, RootChild};
-use crate::cursor::{Cursor, Markup, Open, Step};
+use crate::batch::{Batch, Context, ContextData, Cutter, Entered, ReadBatch, ReadPart, RootChild};
+use crate::cursor::{Cursor, Markup, NextChild, Open};
 use crate::extension::{Extension, Extensions};
 use crate::finding::{Finding, Severity, Span};
 use crate::findings::{Findings, KeptFinding};
@@ -235,7 +235,7 @@ impl<'a> Reader<'a> {
                 return None;
             }
             match cursor.next_child(open) {
-                Step::Child(slot) => {
+                NextChild::Child(slot) => {
                     if cursor.pending == "header" {
                         cursor.set_version();
                     }
@@ -243,12 +243,12 @@ impl<'a> Reader<'a> {
                     cursor.spent = 0;
                     return item.filter(|_| !cursor.over);
                 }
-                Step::Extension(extension) => {
+                NextChild::Extension(extension) => {
                     cursor.spent = 0;
                     let kept = (&mut self.extensions, &mut self.extended);
                     keep(extension, kept, cursor);
                 }
-                Step::End => {
+                NextChild::End => {
                     if !cursor.over {
                         cursor.structure.end();
                         cursor.finish_file();
@@ -288,7 +288,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         let file = cursor.window.source.file();
-        let context = Context::new(Known {
+        let context = Context::new(ContextData {
             limits: cursor.limits,
             file,
             version: cursor.version,

@@ -23,12 +23,12 @@ pub(crate) use joints::Joint;
 pub(crate) use links::{Links, RoadWritten};
 pub(crate) use marks::Styles;
 pub(crate) use objects::{
-    Along, Border, Corner, Curve, Details, Lateral, Marking, Object, Objects, Outline, Platform,
-    Reference, Repeat, Station, Structure, Switch, Vertex, linear, shape, single,
+    Border, Corner, Curve, Details, Lateral, Marking, Object, Objects, Outline, OutlineCorners,
+    Platform, Reference, Repeat, Station, Structure, Switch, Vertex, linear, shape, single,
 };
 pub(crate) use owners::{Owner, Owners};
 pub(crate) use permissions::{Access, Mark, Permissions};
-pub(crate) use placed::Placed;
+pub(crate) use placed::StatedGeoreference;
 pub(crate) use signals::{OnCarrier, Position, SignalReference, Signals, WrittenSignal};
 
 /// The rows of what has been read so far.
@@ -45,7 +45,7 @@ pub(crate) struct Draft {
     pub(crate) permissions: Permissions,
     pub(crate) objects: Objects,
     /// Where the map lies on Earth, as the header says it.
-    pub(crate) placed: Placed,
+    pub(crate) placed: StatedGeoreference,
     pub(crate) styles: Styles,
     pub(crate) interned: interned::Interned,
     pub(crate) signals: Signals,

@@ -133,7 +133,7 @@ pub(crate) struct Details {
 
 /// Which outline's which corners a line runs along, as written.
 #[derive(Default)]
-pub(crate) struct Along {
+pub(crate) struct OutlineCorners {
     /// Number of the outline; none: the first that has the corners.
     pub(crate) outline: Option<usize>,
     /// Ids of corners.
@@ -143,13 +143,13 @@ pub(crate) struct Along {
 /// A marking before its corners are known.
 pub(crate) struct Marking {
     pub(crate) row: ObjectMarkingRow,
-    pub(crate) along: Along,
+    pub(crate) along: OutlineCorners,
 }
 
 /// A border before its corners are known.
 pub(crate) struct Border {
     pub(crate) row: ObjectBorderRow,
-    pub(crate) along: Along,
+    pub(crate) along: OutlineCorners,
 }
 
 /// A vertex of a skeleton.

@@ -8,7 +8,7 @@ use mapd_xodr::{Finding, Severity, Span};
 
 /// What the header says about the map's place, kept until its extent is known.
 #[derive(Clone, Debug)]
-pub(crate) struct Placed {
+pub(crate) struct StatedGeoreference {
     /// How the georeference is written.
     pub(crate) form: GeoReferenceForm,
     /// PROJ parameters; empty without a usable georeference.
@@ -25,7 +25,7 @@ pub(crate) struct Placed {
     pub(crate) bounds: Option<[f64; 4]>,
 }
 
-impl Default for Placed {
+impl Default for StatedGeoreference {
     fn default() -> Self {
         Self {
             form: GeoReferenceForm::Absent,
@@ -40,7 +40,7 @@ impl Default for Placed {
     }
 }
 
-impl Placed {
+impl StatedGeoreference {
     /// A finding about the offset.
     pub(crate) fn about_offset(
         &self,

@@ -3,7 +3,7 @@
 //! ASAM OpenDRIVE 1.8.1, 8.4. Nothing is moved here: that is [`crate::frame`]'s. What is stored lets a projector be built.
 
 use super::{TargetFrame, edge};
-use crate::draft::Placed;
+use crate::draft::StatedGeoreference;
 use crate::findings::finding;
 use crate::options::{CompileOptions, OffsetSign};
 use glam::DVec3;
@@ -22,7 +22,7 @@ const UTM_NORTHINGS: std::ops::RangeInclusive<f64> = 0.0..=10_000_000.0;
 /// Latitudes and longitudes of bounds are rounded to multiples of this `[deg]`, a tenth of a millimetre: functions of the C
 /// library, which some projections need, differ by less than a millionth of it between machines.
 const STEP: f64 = 1e-9;
-impl Placed {
+impl StatedGeoreference {
     /// The offset as it is applied, and whether its sign is turned.
     pub(crate) fn applied(
         &self,
@@ -97,7 +97,7 @@ impl Placed {
 /// Completes the map's row, whose bounds are known, and the row of the file's own frame where the map is in another.
 pub(crate) fn complete(
     rows: &mut Rows,
-    placed: &Placed,
+    placed: &StatedGeoreference,
     frame: Option<&TargetFrame>,
     options: &CompileOptions,
     findings: &mut Vec<Finding>,

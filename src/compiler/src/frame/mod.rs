@@ -9,7 +9,7 @@ mod georeference;
 mod move_rows;
 
 use crate::draft::Draft;
-use crate::draft::Placed;
+use crate::draft::StatedGeoreference;
 use crate::findings::finding;
 use crate::options::CompileOptions;
 use crate::resolve::Resolved;
@@ -125,7 +125,7 @@ impl Extent {
 }
 
 /// A finding about the header.
-fn about(placed: &Placed, severity: Severity, message: String, hint: &str) -> Finding {
+fn about(placed: &StatedGeoreference, severity: Severity, message: String, hint: &str) -> Finding {
     finding(&building::TARGET_FRAME, severity, placed.header, PATH.to_owned(), message, hint)
 }
 
@@ -133,7 +133,7 @@ impl TargetFrame {
     /// What the map is to be moved by; none where it cannot be, which is an error among the findings.
     pub(crate) fn new(
         target: &Target,
-        (placed, rows): (&Placed, &Rows),
+        (placed, rows): (&StatedGeoreference, &Rows),
         options: &CompileOptions,
         findings: &mut Vec<Finding>,
     ) -> Option<Self> {
@@ -174,7 +174,7 @@ impl TargetFrame {
     /// The frame for a map with this middle and offset. Errors: why there is none.
     fn about_place(
         target: &Target,
-        placed: &Placed,
+        placed: &StatedGeoreference,
         extent: &Extent,
         middle: DVec3,
         (file_offset, is_negated): (Offset, bool),
@@ -294,7 +294,12 @@ fn scales([by_x, by_y]: [DVec2; 2]) -> [f64; 2] {
 }
 
 /// What is to be told of a frame besides errors.
-fn tell(frame: &TargetFrame, target: &Target, placed: &Placed, findings: &mut Vec<Finding>) {
+fn tell(
+    frame: &TargetFrame,
+    target: &Target,
+    placed: &StatedGeoreference,
+    findings: &mut Vec<Finding>,
+) {
     for doubt in target.warnings() {
         let severity = if doubt.is_grave() { Severity::Warning } else { Severity::Info };
         findings.push(about(placed, severity, format!("target frame {target}: {doubt}"), ""));

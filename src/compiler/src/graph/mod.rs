@@ -33,7 +33,7 @@ use mapd_xodr::{Finding, Span};
 
 /// What the file says about the finished graph, kept until lanes are sampled.
 #[derive(Default)]
-pub(crate) struct Written {
+pub(crate) struct WrittenLinks {
     /// Where each edge's link stands.
     links: Vec<Span>,
     zones: Vec<zones::Zone>,
@@ -53,7 +53,7 @@ pub(crate) fn build(
     places: &Places,
     settings: &Settings,
     findings: &mut Vec<Finding>,
-) -> Result<Written, TooLarge> {
+) -> Result<WrittenLinks, TooLarge> {
     let cuts = cuts::Cuts::new(Source { draft, links });
     nodes::build(draft, &cuts)?;
     let mut problems = findings::Problems::default();
@@ -62,13 +62,13 @@ pub(crate) fn build(
     let edges = walk::edges(source, &attachments, &mut problems);
     let zones = zones::zones(source);
     problems.report(draft, settings, findings);
-    Ok(Written { links: csr::store(draft, edges, places)?, zones })
+    Ok(WrittenLinks { links: csr::store(draft, edges, places)?, zones })
 }
 
 /// Completes the graph from sampled lanes: lengths and times, components, conflicts, landmarks, and what is wrong with its cycles and joints.
 pub(crate) fn complete(
     rows: &mut Rows,
-    written: &Written,
+    written: &WrittenLinks,
     options: &CompileOptions,
     settings: &Settings,
 ) -> Vec<Finding> {

@@ -1,6 +1,6 @@
 //! What the header says about the map's place (ASAM OpenDRIVE 1.8.1, 8.4).
 
-use crate::draft::Placed;
+use crate::draft::StatedGeoreference;
 use crate::findings::finding;
 use glam::DVec3;
 use mapd_archive::GeoReferenceForm;
@@ -11,7 +11,7 @@ use mapd_xodr::{Finding, Header, Severity, Text as _, Value as _};
 /// What the names of tools that write the turned sign contain, in lower case.
 const NEGATING: [&str; 2] = ["sumo", "netconvert"];
 
-impl Placed {
+impl StatedGeoreference {
     /// Reads what the header says.
     pub(crate) fn read(header: &Header, findings: &mut Vec<Finding>) -> Self {
         let mut placed = Self { header: header.span, ..Self::default() };

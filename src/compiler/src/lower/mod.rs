@@ -21,7 +21,7 @@ mod speeds;
 mod structures;
 mod surface;
 
-use crate::draft::{Draft, Placed, between};
+use crate::draft::{Draft, StatedGeoreference, between};
 use crate::findings::finding;
 use mapd_archive::{
     ContactPoint, JunctionRow, LaneLayerRow, LinkKind, MapRow, NONE, Range, RoadRow, RoadType,
@@ -52,7 +52,7 @@ impl Draft {
         row.vendor = self.strings.add(header.vendor.text());
         let reference = header.geo_reference.as_ref().map_or("", |g| g.content.text());
         row.geo_reference = self.strings.add(reference);
-        self.placed = Placed::read(header, findings);
+        self.placed = StatedGeoreference::read(header, findings);
         row.geo_reference_form = self.placed.form.code();
         row.projection = self.strings.add(&self.placed.definition);
         let revision = |n: Option<i32>| n.and_then(|n| u16::try_from(n).ok()).unwrap_or(0);

@@ -4,7 +4,7 @@ use super::need::ElementContext;
 use super::objects::left_out;
 use crate::draft::Draft;
 use crate::draft::single;
-use crate::draft::{Along, Border, Corner, Details, Marking, Outline, Vertex};
+use crate::draft::{Border, Corner, Details, Marking, Outline, OutlineCorners, Vertex};
 use mapd_archive::{
     NONE, ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ParkingSpaceRow, Range,
 };
@@ -116,7 +116,10 @@ impl Draft {
             },
             reserved: [0; 3],
         };
-        Marking { row, along: Along { outline, corners: corners(&marking.corner_reference) } }
+        Marking {
+            row,
+            along: OutlineCorners { outline, corners: corners(&marking.corner_reference) },
+        }
     }
 
     /// The marking of a parking space's side in OpenDRIVE 1.4.
@@ -143,7 +146,7 @@ impl Draft {
             },
             reserved: [0; 3],
         };
-        Marking { row, along: Along::default() }
+        Marking { row, along: OutlineCorners::default() }
     }
 
     /// A border; a rule says where its outline is none of the object's.
@@ -159,7 +162,7 @@ impl Draft {
         };
         let is_whole = border.use_complete_outline.value() == Some(true);
         let corners = if is_whole { Vec::new() } else { corners(&border.corner_reference) };
-        Border { row, along: Along { outline, corners } }
+        Border { row, along: OutlineCorners { outline, corners } }
     }
 }
 

@@ -4,7 +4,7 @@ use super::Shape;
 use super::line::Line;
 use super::place::Standing;
 use crate::draft::single;
-use crate::draft::{Along, Corner, Details, Vertex};
+use crate::draft::{Corner, Details, OutlineCorners, Vertex};
 use crate::findings::TooLarge;
 use glam::DVec3;
 use mapd_archive::{
@@ -47,7 +47,7 @@ impl Corners {
 
     /// The row of the outline and the points that a line runs along. Corners that the outline does not have are passed
     /// over; a rule names them.
-    fn resolve(&self, along: &Along, rows: &Rows, outlines: Range) -> (u32, Vec<u32>) {
+    fn resolve(&self, along: &OutlineCorners, rows: &Rows, outlines: Range) -> (u32, Vec<u32>) {
         let has = |outline: &Vec<(u32, u32)>| {
             along.corners.iter().all(|id| outline.iter().any(|(of, _)| of == id))
         };
@@ -82,7 +82,7 @@ pub(super) fn append(
     skeletons: Vec<Vec<SkeletonVertexRow>>,
 ) -> Result<(), TooLarge> {
     let Of { object, outlines, corners } = *of;
-    let named = |along: &Along, rows: &mut Rows| {
+    let named = |along: &OutlineCorners, rows: &mut Rows| {
         let (outline, points) = corners.resolve(along, rows, outlines);
         let before = rows.object_corners.len();
         rows.object_corners.extend(points);

@@ -58,7 +58,7 @@ impl Copy {
 }
 
 /// What is known of an object once it is placed.
-struct Placed {
+struct PlacedObject {
     row: ObjectRow,
     shapes: Vec<Shape>,
     copies: Vec<Copy>,
@@ -80,7 +80,7 @@ pub(crate) fn build(
     let mut points_left = most_made.saturating_add(LEAST_MADE_OF_A_MAP);
     let at_once = OBJECTS_PER_TASK * rayon::current_num_threads().max(1);
     for (objects, rooms) in written.objects.chunks(at_once).zip(rooms.chunks(at_once)) {
-        let placed: Vec<Placed> = {
+        let placed: Vec<PlacedObject> = {
             let archive = view(rows);
             let map = Map::new(&archive, 0);
             let one =
@@ -148,7 +148,7 @@ fn place(
     object: &Object,
     room: usize,
     options: &CompileOptions,
-) -> Placed {
+) -> PlacedObject {
     let line = Line::of(map, written, &object.row);
     let mut row = object.row;
     let mut findings = Vec::new();
@@ -158,7 +158,7 @@ fn place(
         let rule = Graded { rule: &building::OBJECT_PLACE, severity: Severity::Error };
         findings.push(finding(map, object, rule, object.span, message.to_owned()));
         let (shapes, copies, skeletons) = (Vec::new(), Vec::new(), Vec::new());
-        return Placed { row, shapes, copies, skeletons, findings };
+        return PlacedObject { row, shapes, copies, skeletons, findings };
     };
     let mut made = 0;
     let mut shapes = Vec::new();
@@ -205,13 +205,13 @@ fn place(
     let details = object.details.as_deref();
     let skeletons =
         details.map_or_else(Vec::new, |details| details::skeletons(line, &standing, details));
-    Placed { row, shapes, copies, skeletons, findings }
+    PlacedObject { row, shapes, copies, skeletons, findings }
 }
 
 fn append(
     rows: &mut Rows,
     object: &Object,
-    mut placed: Placed,
+    mut placed: PlacedObject,
     points_left: &mut usize,
     findings: &mut Vec<Finding>,
 ) -> Result<(), TooLarge> {

@@ -131,7 +131,7 @@ fn round(
 struct Document {
     draft: Draft,
     /// What the file says about the lane graph.
-    graph: graph::Written,
+    graph: graph::WrittenLinks,
     /// What the file says about signals.
     signals: resolve::Resolved,
     collector: Collector,
@@ -298,7 +298,7 @@ fn read(
         late.push(too_many_ids());
     }
     collector.add(late, &places);
-    let mut graph = graph::Written::default();
+    let mut graph = graph::WrittenLinks::default();
     if !collector.is_rejected() {
         let mut late = Vec::new();
         let links = Links::new(&draft.road_spans, &network);

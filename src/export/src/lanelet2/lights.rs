@@ -16,7 +16,7 @@ const HEIGHT: f64 = 0.9;
 
 /// Numbers of what lights already have in the model.
 #[derive(Default)]
-struct Known {
+struct LightNumbers {
     lines: HashMap<SignalId, usize>,
     /// By the lights and the line at which traffic waits for them.
     rules: HashMap<(BTreeSet<SignalId>, Option<usize>), usize>,
@@ -25,7 +25,7 @@ struct Known {
 /// Adds a rule for each set of lights that traffic waits for at one line. It holds on the first lanelet behind the junction's edge of each
 /// movement that they govern; of lights elsewhere, on the lanelet they stand at.
 pub(super) fn add<'a>(map: Map<'a>, model: &mut Model<'a>, report: &mut Report) {
-    let (mut known, mut governed) = (Known::default(), BTreeSet::new());
+    let (mut known, mut governed) = (LightNumbers::default(), BTreeSet::new());
     let lanes = || map.lanes().filter(|lane| lane.number() != 0 && !lane.is_temporary());
     for lane in lanes().filter(|lane| lane.road().junction().is_some()) {
         if lane.movement_start().lane_id() != lane.lane_id() {
@@ -53,7 +53,7 @@ pub(super) fn add<'a>(map: Map<'a>, model: &mut Model<'a>, report: &mut Report) 
     }
 }
 
-impl Known {
+impl LightNumbers {
     fn add_rule<'a>(
         &mut self,
         lights: &[Signal<'a>],

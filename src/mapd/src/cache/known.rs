@@ -69,7 +69,7 @@ pub struct HashedInput {
 
 /// What is known of a document.
 #[derive(Serialize, Deserialize)]
-struct Known {
+struct DocumentRecord {
     /// The document and what it includes.
     files: Vec<(PathBuf, Identity)>,
     document: [u8; 32],
@@ -84,7 +84,8 @@ impl Cache {
     pub fn input_hash(&self, document: &Path, folder: &Path) -> io::Result<HashedInput> {
         let document = std::path::absolute(document)?;
         let record = self.path(&Key::of_place(&document), KNOWN);
-        let known = self.read(&record).and_then(|text| serde_json::from_str::<Known>(&text).ok());
+        let known =
+            self.read(&record).and_then(|text| serde_json::from_str::<DocumentRecord>(&text).ok());
         if let Some(known) = known.filter(|known| known.holds(&document)) {
             let files = known.files.into_iter().map(|(file, _)| file).collect();
             let hash = InputHash { document: known.document, input: known.input };
@@ -102,7 +103,7 @@ impl Cache {
         if files.len() == included.len() + 1
             && files.iter().all(|(_, file)| file.is_settled(looked))
         {
-            let known = Known { files, document: hash.document, input: hash.input };
+            let known = DocumentRecord { files, document: hash.document, input: hash.input };
             // Without it the files are read again.
             let _ = self.write(&record, &serde_json::to_vec(&known)?);
         }
@@ -111,7 +112,7 @@ impl Cache {
     }
 }
 
-impl Known {
+impl DocumentRecord {
     /// Whether all of it is as it was, and it is about this document.
     fn holds(&self, document: &Path) -> bool {
         let same =
@@ -170,7 +171,7 @@ mod tests {
         let record =
             fs::read_dir(cache.folder()).expect("a folder").flatten().next().expect("one").path();
         let text = fs::read_to_string(&record).expect("readable");
-        let mut known: Known = serde_json::from_str(&text).expect("JSON");
+        let mut known: DocumentRecord = serde_json::from_str(&text).expect("JSON");
         known.input = [7; 32];
         fs::write(&record, serde_json::to_vec(&known).expect("JSON")).expect("written");
         assert_eq!(hash().hash.input, [7; 32]);

@@ -68,7 +68,7 @@ pub(super) fn along<'m>(
 }
 
 /// A place on a course.
-pub(super) struct Found<'c, 'a, 'm> {
+pub(super) struct CoursePoint<'c, 'a, 'm> {
     course: &'c Course<'a, 'm>,
     s: f64,
     /// From the local origin.
@@ -143,7 +143,7 @@ impl<'a, 'm> Course<'a, 'm> {
     }
 
     /// The nearest place: the best of several is narrowed down between its neighbours.
-    pub(super) fn nearest(&self, local: DVec2) -> Found<'_, 'a, 'm> {
+    pub(super) fn nearest(&self, local: DVec2) -> CoursePoint<'_, 'a, 'm> {
         let [from, to] = self.s;
         let distance = |s: f64| self.at(s).0.distance_squared(local);
         let parts = match self.mark.sways() {
@@ -170,7 +170,7 @@ impl<'a, 'm> Course<'a, 'm> {
         }
         let s = self.polished(best.1, local);
         let (place, normal) = self.at(s);
-        Found { course: self, s, place, normal, away: place - local }
+        CoursePoint { course: self, s, place, normal, away: place - local }
     }
 
     /// Where the course, straight from place to place, is nearest: a minimum tells its place to half its digits only.
@@ -191,7 +191,7 @@ fn less(best: (f64, f64), found: (f64, f64)) -> (f64, f64) {
     if found.0 < best.0 { found } else { best }
 }
 
-impl Found<'_, '_, '_> {
+impl CoursePoint<'_, '_, '_> {
     pub(super) fn near_mark(&self, origin: DVec2) -> NearMark {
         let (color, width) = self.course.look();
         let left = self.away.dot(self.normal) > 0.0;

@@ -18,7 +18,7 @@ pub(super) const ANY_HEADING: f64 = 1.0 / TAU;
 
 /// A line across a lane: places `foot + normal·l` with l between `low` and `high`, from the pose's position `[m]`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Across {
+pub(super) struct CrossLine {
     pub(super) foot: DVec2,
     /// Unit vector to the left of the reference line.
     pub(super) normal: DVec2,
@@ -97,7 +97,7 @@ impl PoseDensity {
     }
 
     /// Integral of the density times 1 − κ·l along a line across.
-    pub(super) fn integral(&self, line: &Across) -> f64 {
+    pub(super) fn integral(&self, line: &CrossLine) -> f64 {
         let mut line = *line;
         // Beyond the centre of curvature there is no area of this s.
         if line.curvature > 0.0 {
@@ -139,7 +139,7 @@ impl PoseDensity {
 }
 
 /// ∫ (1 − κ·l) exp(−(a·l² + 2b·l + c)/2) dl along a line.
-fn normal_between([a, b, c]: [f64; 3], line: &Across) -> f64 {
+fn normal_between([a, b, c]: [f64; 3], line: &CrossLine) -> f64 {
     let middle = -b / a;
     let height = libm::exp(-0.5 * (c + b * middle).max(0.0));
     if height == 0.0 {

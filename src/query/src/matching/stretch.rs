@@ -1,6 +1,6 @@
 //! The integral of a pose's density over a stretch of a lane: exact across, by Gauss and Legendre's rule along.
 
-use super::density::{Across, PoseDensity};
+use super::density::{CrossLine, PoseDensity};
 use crate::area::Slab;
 use crate::lane::Lane;
 use crate::types::turned;
@@ -37,7 +37,7 @@ pub(super) fn weight(
         let roll = lane.road.roll(at).0;
         let (a, b) = (edges.inner.value * roll, edges.outer.value * roll);
         let heading = if forward { point.heading } else { turned(point.heading) };
-        Across {
+        CrossLine {
             foot: DVec2::new(point.x, point.y) - local,
             normal: DVec2::new(-point.sin, point.cos),
             direction: heading,

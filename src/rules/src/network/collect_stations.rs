@@ -99,11 +99,11 @@ pub fn extent(road: &Road) -> Option<[f64; 4]> {
 }
 
 /// A section by its rank, and where its lanes of a side end `[m]`.
-type Written = Option<(usize, f64)>;
+type SectionEnd = Option<(usize, f64)>;
 
 /// For each section the ones in which its left and its right lanes are written: a section of one side leaves the other
 /// as it was.
-fn written(sections: &[SectionIn<'_>]) -> Vec<[Written; 2]> {
+fn written(sections: &[SectionIn<'_>]) -> Vec<[SectionEnd; 2]> {
     let mut last = [None; 2];
     let own = sections.iter().enumerate().map(|(at, section)| {
         for (last, side) in last.iter_mut().zip([Side::Left, Side::Right]) {
@@ -119,7 +119,7 @@ fn written(sections: &[SectionIn<'_>]) -> Vec<[Written; 2]> {
 /// A side of a road at an s: the section in which its lanes are written.
 struct SideAt {
     side: Side,
-    written: Written,
+    written: SectionEnd,
 }
 
 impl SideAt {
@@ -138,7 +138,7 @@ impl SideAt {
 }
 
 /// The left and the right side at `s`.
-fn sides_at(sections: &[SectionIn<'_>], written: &[[Written; 2]], s: f64) -> [SideAt; 2] {
+fn sides_at(sections: &[SectionIn<'_>], written: &[[SectionEnd; 2]], s: f64) -> [SideAt; 2] {
     let begun = sections.partition_point(|section| section.s() <= s);
     let holds = begun.checked_sub(1).and_then(|last| written.get(last)).copied();
     let [left, right] = holds.unwrap_or_default();

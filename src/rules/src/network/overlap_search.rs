@@ -6,7 +6,7 @@
 
 use super::overlap::{CLEARANCE, Members, Overlap, Overlaps, TOUCH};
 use super::stations::Heading;
-use super::stretch::{Across, Stretch, StretchSummary, bounds};
+use super::stretch::{CrossSection, Stretch, StretchSummary, bounds};
 use super::{Name, Network};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -276,7 +276,7 @@ impl Network {
                 let ends = (before.unwrap_or_else(|| a.ends(&mut heading)), b.ends(&mut heading));
                 known = Some(ends.1);
                 let [from, to] = [(a, ends.0), (b, ends.1)]
-                    .map(|(station, [left, right])| Across { station, left, right });
+                    .map(|(station, [left, right])| CrossSection { station, left, right });
                 let stretch = Stretch::between(rank, &from, &to);
                 // A short one that is too narrow to be overlapped by more than a touch: there may be thousands in a metre.
                 let is_narrow = |stretch: &Stretch| b.s - a.s <= TOUCH && stretch.width() <= TOUCH;

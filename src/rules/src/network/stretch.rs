@@ -38,7 +38,7 @@ pub(super) fn bounds(corners: &[[f64; 2]; 4]) -> [f64; 4] {
 }
 
 /// A cross-section, and where its ends lie: x, y `[m]`.
-pub(super) struct Across {
+pub(super) struct CrossSection {
     pub(super) station: Station,
     pub(super) left: [f64; 2],
     pub(super) right: [f64; 2],
@@ -49,13 +49,13 @@ impl Stretch {
         let mut heading = Heading::default();
         let [a, b] = [a, b].map(|station| {
             let [left, right] = station.ends(&mut heading);
-            Across { station: *station, left, right }
+            CrossSection { station: *station, left, right }
         });
         Self::between(road, &a, &b)
     }
 
     /// As [`Stretch::new`], where the ends of the cross-sections are known.
-    pub(super) fn between(road: usize, from: &Across, to: &Across) -> Option<Self> {
+    pub(super) fn between(road: usize, from: &CrossSection, to: &CrossSection) -> Option<Self> {
         let (a, b) = (&from.station, &to.station);
         if a.left - a.right <= 2.0 * TOUCH {
             return None;

@@ -32,12 +32,12 @@ struct File {
     included_at: Option<u64>,
     lines: LineIndex,
     /// Where stretches of its text come from, if they are not its own, ascending.
-    pieces: Vec<Piece>,
+    pieces: Vec<SourcePiece>,
 }
 
 /// A stretch of a text, up to the next one.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct SourcePiece {
     /// Offset at which it begins.
     start: u64,
     /// The file that it comes from, and where it stands there.
@@ -47,7 +47,7 @@ struct Piece {
 
 impl File {
     /// The stretch that holds an offset; none if it is the file's own.
-    fn piece(&self, offset: u64) -> Option<&Piece> {
+    fn piece(&self, offset: u64) -> Option<&SourcePiece> {
         self.pieces[..self.pieces.partition_point(|piece| piece.start <= offset)].last()
     }
 
@@ -162,7 +162,7 @@ impl Places {
     /// From an offset of the main file's text on, up to the next such offset, it comes from this place of a file.
     pub(crate) fn piece(&self, start: u64, file: u16, at: Position) {
         if let Some(main) = self.lock().first_mut() {
-            main.pieces.push(Piece { start, file, at });
+            main.pieces.push(SourcePiece { start, file, at });
         }
     }
 

@@ -55,14 +55,14 @@ struct Report {
 }
 
 /// What is known of an archive that is up to date.
-pub(super) struct Known {
+pub(super) struct UpToDate {
     pub(super) exit: Exit,
     pub(super) counts: Counts,
     pub(super) facts: ArchiveFacts,
 }
 
 /// What is known of a tile's archive, if it is up to date with options of this hash.
-pub(super) fn known(tile: &Tile, options: &[u8; 8]) -> Option<Known> {
+pub(super) fn known(tile: &Tile, options: &[u8; 8]) -> Option<UpToDate> {
     let header = header(&tile.archive)?;
     let report: Report =
         serde_json::from_reader(BufReader::new(open_regular(&tile.report).ok()?)).ok()?;
@@ -88,7 +88,11 @@ pub(super) fn known(tile: &Tile, options: &[u8; 8]) -> Option<Known> {
     }
     let included = record.included.iter().map(PathBuf::from).collect();
     let input = InputHash::of(&tile.source, |_| included).ok()?.input;
-    (input == made.input_hash).then_some(Known { exit, counts: report.counts, facts: record.facts })
+    (input == made.input_hash).then_some(UpToDate {
+        exit,
+        counts: report.counts,
+        facts: record.facts,
+    })
 }
 
 /// The header of an archive that is as long as it says.

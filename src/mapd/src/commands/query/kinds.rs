@@ -2,7 +2,7 @@
 
 use super::earth::Earth;
 use super::holes::Holes;
-use super::path::{self, Along, Paths};
+use super::path::{self, PathQuestion, Paths};
 use super::route::Router;
 use super::row::Row;
 use super::{besides, landmarks, localising, matching, signals};
@@ -276,10 +276,10 @@ impl Kind {
                 successors(map, &lane, &mut keys).map_err(text)?;
                 out.push(keys.join(";"));
             }
-            Self::Path => path::answer(Along::Line, tools, map, row, out)?,
-            Self::Corridor => path::answer(Along::Corridor, tools, map, row, out)?,
-            Self::Project => path::answer(Along::Project, tools, map, row, out)?,
-            Self::Conflicts => path::answer(Along::Conflicts, tools, map, row, out)?,
+            Self::Path => path::answer(PathQuestion::Line, tools, map, row, out)?,
+            Self::Corridor => path::answer(PathQuestion::Corridor, tools, map, row, out)?,
+            Self::Project => path::answer(PathQuestion::Project, tools, map, row, out)?,
+            Self::Conflicts => path::answer(PathQuestion::Conflicts, tools, map, row, out)?,
             Self::Speed => {
                 let (lane, s) = lane(holes, map, row)?;
                 let rule = lane.speed_rule_at(s);

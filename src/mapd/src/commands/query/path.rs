@@ -53,7 +53,7 @@ impl Paths {
 
 /// Which of the answers along a route is wanted.
 #[derive(Clone, Copy)]
-pub(super) enum Along {
+pub(super) enum PathQuestion {
     /// The driven line.
     Line,
     /// The room beside it.
@@ -68,7 +68,7 @@ pub(super) enum Along {
 ///
 /// Errors: there is no route, or no answer along it, and why.
 pub(super) fn answer(
-    along: Along,
+    along: PathQuestion,
     tools: &mut Tools<'_>,
     map: Map<'_>,
     row: &Row<'_>,
@@ -78,10 +78,10 @@ pub(super) fn answer(
     paths.find(router, holes, map, row)?;
     let path = Path::of(map, &paths.buffer).map_err(text)?;
     match along {
-        Along::Line => line(&path, map, router.step(), out),
-        Along::Corridor => corridor(&path, router, &mut paths.corridor, out),
-        Along::Project => project(&path, map, row, out),
-        Along::Conflicts => conflicts(&path, map, router.rules(), out),
+        PathQuestion::Line => line(&path, map, router.step(), out),
+        PathQuestion::Corridor => corridor(&path, router, &mut paths.corridor, out),
+        PathQuestion::Project => project(&path, map, row, out),
+        PathQuestion::Conflicts => conflicts(&path, map, router.rules(), out),
     }
 }
 
