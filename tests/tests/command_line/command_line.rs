@@ -129,7 +129,7 @@ fn a_pose_is_matched_with_a_row_for_each_lane_and_one_for_none() {
     let output = run(&["query", &one_road(), "match"], input);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let mut lines = text.lines();
-    let head = "id,x,y,hdg,sx,sy,shdg,lane,direction,probability,s,offset,heading_difference,error";
+    let head = "id,x,y,hdg,sx,sy,shdg,lane,direction,probability,s,offset,heading_difference,mahalanobis,error";
     assert_eq!(lines.next(), Some(head));
     let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
     let of = |id: &str| rows.iter().filter(|row| row[0] == id).collect::<Vec<_>>();
@@ -138,8 +138,11 @@ fn a_pose_is_matched_with_a_row_for_each_lane_and_one_for_none() {
     assert_eq!(a.iter().filter(|row| row[7].is_empty() && row[10].is_empty()).count(), 1, "{text}");
     let sum: f64 = a.iter().map(|row| row[9].parse::<f64>().expect("a probability")).sum();
     assert!((sum - 1.0).abs() < 1e-6, "{text}");
-    assert_eq!(of("b"), [&["b", "500", "500", "0", "1", "1", "1", "", "", "1.0", "", "", "", ""]]);
-    assert_eq!(of("c")[0][13], "\"sx must not be negative", "{text}");
+    assert_eq!(
+        of("b"),
+        [&["b", "500", "500", "0", "1", "1", "1", "", "", "1.0", "", "", "", "", ""]]
+    );
+    assert_eq!(of("c")[0][14], "\"sx must not be negative", "{text}");
 }
 
 /// Runs a query on the one-road map and compares numbers to 1e-8 (a millimetre, where they are degrees), texts exactly:

@@ -23,7 +23,7 @@ Columns:
   match       x,y,hdg,sx,sy,shdg[,z]
                                    a row for each candidate lane, from the standard deviations of x, y and hdg, and one
                                    with an empty lane for none: lane,direction (+ along s, - against it),probability,s,offset,
-                                   heading_difference
+                                   heading_difference,mahalanobis (distance from the lane's centre line, in deviations)
   ground      x,y[,z]              z,nx,ny,nz of the surface,lane,material,level (0 is the lowest; nearest to z)
   nearest-marks  x,y               distance,side (as seen along the reference line),kind,color,lane,s,
                                    painted (1, or 0 in a gap) of the nearest road mark

@@ -25,7 +25,7 @@ pub enum Kind {
     Lane,
     /// `x,y[,z][,hdg]` or `lat,lon[,alt][,hdg]` → lane,road_id,lane_id,s,t,offset,distance
     Nearest,
-    /// `x,y,hdg,sx,sy,shdg[,z]` → a row for each lane that a pose may be in: lane,direction,probability,s,offset,heading_difference
+    /// `x,y,hdg,sx,sy,shdg[,z]` → a row for each lane that a pose may be in: lane,direction,probability,s,offset,heading_difference,mahalanobis
     Match,
     /// `x,y[,z]` → z,nx,ny,nz,lane,material,level of the ground there
     Ground,

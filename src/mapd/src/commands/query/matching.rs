@@ -8,7 +8,7 @@ use mapd_query::glam::{DMat3, DVec2, DVec3};
 
 /// Columns of the answer.
 pub(super) const COLUMNS: &[&str] =
-    &["lane", "direction", "probability", "s", "offset", "heading_difference"];
+    &["lane", "direction", "probability", "s", "offset", "heading_difference", "mahalanobis"];
 /// Deviations around a pose in which parts in quarantine are named: as far as lanes count.
 const REACH: f64 = 6.0;
 
@@ -38,7 +38,7 @@ pub(super) fn answer(
     let (more, less) = found.split_at(before);
     write(map, more, out)?;
     out.extend([String::new(), String::new(), number(none)]);
-    out.extend([const { String::new() }; 3]);
+    out.extend([const { String::new() }; 4]);
     write(map, less, out)
 }
 
@@ -48,7 +48,8 @@ fn write(map: Map<'_>, found: &[LaneMatch], out: &mut Vec<String>) -> Result<(),
         out.push(lane.key().to_string());
         out.push(if found.forward { "+" } else { "-" }.to_owned());
         let offset = found.position.offset_of_reference_line;
-        numbers(out, &[found.probability, found.position.s, offset, found.heading_difference]);
+        let difference = found.heading_difference;
+        numbers(out, &[found.probability, found.position.s, offset, difference, found.mahalanobis]);
     }
     Ok(())
 }

@@ -60,6 +60,7 @@ const NUMBERS: &[&str] = &[
     "left_may_cross",
     "right_may_cross",
     "heading_difference",
+    "mahalanobis",
     "S_from",
     "S_to",
     "other_s_from",
