@@ -27,6 +27,7 @@ class Viewer {
     this.painter = new Painter($("map"), () => { this.upload(); this.changed(); });
     this.labels = new Labels($("labels"));
     this.panel = new Panel($("panel"), (link, isWhole) => this.choose(link, { isWhole, isFollowed: true }), () => this.clear());
+    this.list = new List($("list"), link => this.choose(link, { isFollowed: true }), () => this.closeList());
     this.shown = new Set(SHOWN.filter(([, , isShown]) => isShown).map(([name]) => name));
     this.isByHeight = false;
     this.mode = "look";
@@ -52,6 +53,7 @@ class Viewer {
     $("show-left-out").hidden = !map.left_out;
     $("show-left-out").textContent = `${map.left_out} left out`;
     this.clear();
+    if (!$("list").hidden) this.showList();
     this.legend();
   }
 
@@ -91,9 +93,9 @@ class Viewer {
 
   // What panels and buttons cover at the left, top, right and bottom [px].
   covered() {
-    const isNarrow = innerWidth <= 720, isOpen = !$("panel").hidden, layers = !isNarrow && !$("layers").hidden ? 226 : 0;
-    if (isNarrow) return [0, 92, 0, isOpen ? innerHeight * 0.48 : 44];
-    return [isOpen ? 385 : 0, 50, layers, 44];
+    const isNarrow = innerWidth <= 720, isOpen = !$("panel").hidden, list = $("list").offsetHeight;
+    if (isNarrow) return [0, 92, 0, isOpen || list ? innerHeight * 0.48 : 44];
+    return [isOpen ? 385 : 0, 50, $("layers").hidden ? 0 : 226, 44 + list];
   }
 
   // Fits a box into what is free.
@@ -170,6 +172,7 @@ class Viewer {
     const named = also.slice(0, 9).map(other => [other, this.name(other)]);
     this.panel.sheet(sheet, also, other => named.find(([one]) => one === other)[1]);
     this.chosen = link;
+    this.list.mark(link);
     const [x0, y0, x1, y1] = sheet.bounds ?? [];
     const isPoint = sheet.bounds && x0 === x1 && y0 === y1;
     this.labels.mark = isPoint ? this.near(x0, y0) : null;
@@ -186,6 +189,7 @@ class Viewer {
     Object.assign(this.labels, { mark: null, ends: [], measure: [] });
     this.chosen = null;
     this.panel.hide();
+    this.list.mark(null);
     $("layers").hidden ||= innerWidth <= 720;
     this.changed();
   }
@@ -252,9 +256,9 @@ class Viewer {
     const middle = [this.camera.width / 2, this.camera.height / 2];
     const keys = {
       "/": () => $("text").focus(), "0": () => this.fit(), r: () => this.setMode("route"), m: () => this.setMode("measure"),
-      l: () => this.toggleLayers(), f: () => this.showLeftOut(), d: () => { this.dark = !this.dark; this.setTheme(); },
+      l: () => this.toggleLayers(), f: () => this.toggleList(), d: () => { this.dark = !this.dark; this.setTheme(); },
       h: () => { this.isByHeight = !this.isByHeight; this.legend(); this.changed(); }, "?": () => this.panel.help(KEYS),
-      Escape: () => { if (this.mode === "look") this.clear(); else this.setMode(this.mode); }, Enter: () => this.click(...middle),
+      Escape: () => this.close(), Enter: () => this.click(...middle),
     };
     if (event.target.tagName === "INPUT" && event.key !== "Escape") return;
     if (["BUTTON", "A", "SUMMARY"].includes(event.target.tagName) && event.key === "Enter") return;
@@ -263,8 +267,29 @@ class Viewer {
     event.preventDefault();
   }
 
-  showLeftOut() {
-    if (this.map.left_out) this.panel.leftOut(this.queries.leftOut(), this.map.left_out);
+  // Shows the list, or closes it where it is shown; there is none without anything to list.
+  toggleList() {
+    if ($("list").hidden) this.showList();
+    else this.closeList();
+  }
+
+  showList() {
+    if (!this.map.left_out) return this.closeList();
+    this.list.leftOut(this.queries.leftOut(), this.map.left_out);
+    this.list.mark(this.chosen);
+    $("show-left-out").setAttribute("aria-pressed", true);
+  }
+
+  closeList() {
+    this.list.hide();
+    $("show-left-out").setAttribute("aria-pressed", false);
+  }
+
+  // Closes what is open: a way of clicking first, then the sheet, then the list.
+  close() {
+    if (this.mode !== "look") return this.setMode(this.mode);
+    if ($("panel").hidden) this.closeList();
+    this.clear();
   }
 
   listen() {
@@ -277,7 +302,7 @@ class Viewer {
     $("measure").onclick = () => this.setMode("measure");
     $("theme").onclick = () => { this.dark = !this.dark; this.setTheme(); };
     $("show-layers").onclick = () => this.toggleLayers();
-    $("show-left-out").onclick = () => this.showLeftOut();
+    $("show-left-out").onclick = () => this.toggleList();
     new Search(this);
   }
 

@@ -1,4 +1,4 @@
-// The panel beside the map. Whatever comes from a map is set as text, never as markup.
+// A panel over the map, such as the sheet of what is chosen. Whatever comes from a map is set as text, never as markup.
 
 function element(name, properties = {}, ...children) {
   const made = Object.assign(document.createElement(name), properties);
@@ -69,13 +69,6 @@ class Panel {
     this.open(`Route ${way.length.toFixed(1)} m, ${time}`, element("div", { className: "body" },
       element("p", { textContent: `Shortest time of a passenger car at the speed limits of today; ${changes}.` }),
       ...told, title("Lanes", way.steps.length), steps, title("Lanes that it meets", way.conflicts.length), meets));
-  }
-
-  leftOut(parts, count) {
-    const rows = parts.map(part => [part.name, part.rule, part.message, `${part.file ? `${part.file}:` : ""}${part.line}:${part.column}`]);
-    const note = count > parts.length ? `The first ${parts.length} of ${count}.` : "These parts of the file have errors and are not in the map.";
-    this.open(`Left out: ${count}`, element("div", { className: "body" },
-      element("p", { className: "soft", textContent: note }), this.table(["part", "rule", "why", "line:column"], rows)));
   }
 
   help(lines) {

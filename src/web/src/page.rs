@@ -16,7 +16,7 @@ pub const MODULE: &[u8] = include_bytes!("../module/mapd_web.wasm.gz");
 const TEMPLATE: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/page.css");
 /// What names come from others first.
-const SCRIPTS: [&str; 12] = [
+const SCRIPTS: [&str; 13] = [
     "\"use strict\";\n",
     include_str!("../page/colors.js"),
     include_str!("../page/shaders.js"),
@@ -26,6 +26,7 @@ const SCRIPTS: [&str; 12] = [
     include_str!("../page/painter.js"),
     include_str!("../page/labels.js"),
     include_str!("../page/panel.js"),
+    include_str!("../page/list.js"),
     include_str!("../page/search.js"),
     include_str!("../page/live.js"),
     include_str!("../page/main.js"),

@@ -82,7 +82,7 @@ fn parts_that_are_left_out_are_listed_and_red() {
         let red = browser.evaluate(LOOK)[1].as_u64().expect("a number");
         assert_eq!(red > 0, count > 0, "{red} red pixels");
         browser.key("f");
-        let rows = "[...document.querySelectorAll('#panel tbody tr')].map(row => [...row.children].map(cell => cell.textContent))";
+        let rows = "[...document.querySelectorAll('#list tbody tr')].map(row => [...row.children].map(cell => cell.textContent))";
         let expected = map.quarantined().map(|part| {
             let at = part.source_position();
             let name = format!("{} {}", part.kind().name(), part.id());
@@ -92,7 +92,7 @@ fn parts_that_are_left_out_are_listed_and_red() {
         for (part, row) in map.quarantined().zip(0..) {
             // From far away, so that the link has somewhere to lead.
             browser.evaluate("[viewer.camera.x, viewer.camera.y] = [5000, 5000]");
-            browser.evaluate(&format!("document.querySelectorAll('#panel td a')[{row}].click()"));
+            browser.evaluate(&format!("document.querySelectorAll('#list td a')[{row}].click()"));
             let title = browser.evaluate("document.querySelector('#panel h1').textContent");
             assert!(title.as_str().is_some_and(|title| title.contains(part.id())), "{title}");
             let seen = browser.evaluate(
@@ -103,9 +103,73 @@ fn parts_that_are_left_out_are_listed_and_red() {
             let extent = part.extent().expect("a place");
             assert!(a <= extent.low.x && b <= extent.low.y, "{seen}, not {extent:?}");
             assert!(extent.high.x <= c && extent.high.y <= d, "{seen}, not {extent:?}");
+            // Beside its sheet the list stays, with its row marked.
+            let marked = "[...document.querySelectorAll('#list tbody tr')].findIndex(row => row.ariaCurrent)";
+            assert_eq!(browser.evaluate(marked), json!(row));
+            assert!(!overlap(&mut browser, "panel", "list"));
         }
         assert_eq!(browser.complaints, [""; 0]);
     }
+}
+
+/// Whether two panes cover each other, both of which must be there.
+fn overlap(browser: &mut Browser, one: &str, other: &str) -> bool {
+    let overlap = format!(
+        "(() => {{ const [a, b] = ['{one}', '{other}'].map(id => document.getElementById(id).getBoundingClientRect());
+        if (!a.width || !b.width) throw new Error('a pane is closed');
+        return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom; }})()"
+    );
+    browser.evaluate(&overlap).as_bool().expect("yes or no")
+}
+
+/// The list, the sheet and the layers lie beside each other, what is followed beside all of them; Esc closes the sheet first, then the list.
+#[test]
+fn the_list_and_the_sheet_have_panes_of_their_own() {
+    let tree = |id: u32, s: u32| {
+        format!(
+            r#"<object id="{id}" type="tree" s="{s}" t="9" zOffset="0" radius="round" height="3" orientation="none"/>"#
+        )
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("map.xodr");
+    let trees = (0..20).map(|i| tree(i, 2 + 4 * i)).collect::<String>();
+    std::fs::write(&file, document(&PLAIN, &trees)).expect("written");
+    let snapshot = open(&file);
+    let Some(mut browser) = browser(&snapshot) else { return };
+    let open = "['panel', 'list', 'layers'].filter(id => !document.getElementById(id).hidden)";
+    for key in ["f", "l"] {
+        browser.key(key);
+    }
+    assert_eq!(browser.evaluate(open), json!(["list", "layers"]));
+    assert!(!overlap(&mut browser, "layers", "list"));
+    browser.evaluate("document.querySelectorAll('#list td a')[19].click()");
+    assert_eq!(browser.evaluate(open), json!(["panel", "list", "layers"]));
+    for (one, other) in [("panel", "list"), ("layers", "list"), ("panel", "layers")] {
+        assert!(!overlap(&mut browser, one, other), "{one} and {other}");
+    }
+    let beside = "(() => { const { bounds } = viewer.queries.sheet(viewer.chosen);
+        const [a, b, c, d] = bounds, at = viewer.camera.toPage(...viewer.near((a + c) / 2, (b + d) / 2));
+        return document.elementFromPoint(...at).id; })()";
+    assert_eq!(browser.evaluate(beside), json!("map"));
+    for left in [json!(["list", "layers"]), json!(["layers"]), json!(["layers"])] {
+        browser.key("Escape");
+        assert_eq!(browser.evaluate(open), left);
+    }
+    // The same key opens and closes it; on a phone the sheet lies over the list, which is there again without it.
+    for left in [json!(["list", "layers"]), json!(["layers"]), json!(["list", "layers"])] {
+        browser.key("f");
+        assert_eq!(browser.evaluate(open), left);
+    }
+    browser.become_phone((360, 640));
+    browser.wait("viewer.camera.width === 360");
+    browser.key("l");
+    browser.evaluate("document.querySelectorAll('#list td a')[3].click()");
+    let top = "document.elementFromPoint(180, 600).closest('.card').id";
+    assert_eq!(browser.evaluate(top), json!("panel"));
+    assert_eq!(browser.evaluate(beside), json!("map"));
+    browser.key("Escape");
+    assert_eq!(browser.evaluate(top), json!("list"));
+    assert_eq!(browser.complaints, [""; 0]);
 }
 
 /// An archive of another release is not shown, and the page says why.
