@@ -45,6 +45,8 @@ pub use lanelet2::Report;
 #[cfg(any(feature = "flatgeobuf", feature = "geojson"))]
 pub use layers::Layer;
 use mapd_client::Snapshot;
+#[cfg(feature = "html")]
+pub use mapd_web::page::{Findings, Found};
 pub use options::{Format, Options, Progress};
 use std::io::Write;
 #[cfg(any(feature = "flatgeobuf", feature = "geojson", feature = "svg"))]
@@ -95,7 +97,8 @@ pub fn write(
         Format::Html => {
             progress(Progress { doing: "packing the map", done: 0 });
             let (map, overlay) = (snapshot.bytes(), snapshot.overlay_bytes());
-            let content = mapd_web::page::Content::Archive { map, overlay };
+            let findings = &options.findings;
+            let content = mapd_web::page::Content::Archive { map, overlay, findings };
             mapd_web::page::write(content, &options.title, out)?;
         }
         #[cfg(feature = "lanelet2")]

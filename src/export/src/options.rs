@@ -1,5 +1,7 @@
 //! What is written, and how far writing is.
 
+#[cfg(feature = "html")]
+use crate::Findings;
 #[cfg(any(feature = "geojson", feature = "lanelet2"))]
 use crate::Origin;
 #[cfg(feature = "svg")]
@@ -99,6 +101,9 @@ pub struct Options {
     /// Of a page, its title.
     #[cfg(feature = "html")]
     pub title: String,
+    /// Of a page, what was found in the map's file.
+    #[cfg(feature = "html")]
+    pub findings: Findings,
     /// Of formats with latitudes and longitudes, where a map without a georeference is to lie.
     #[cfg(any(feature = "geojson", feature = "lanelet2"))]
     pub origin: Option<Origin>,

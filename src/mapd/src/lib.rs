@@ -30,6 +30,7 @@ mod daemon;
 pub mod draft;
 pub mod exit;
 mod faults;
+mod findings;
 mod joining;
 mod oversight;
 mod program;

@@ -13,7 +13,7 @@ const SHOWN = [
 const KEYS = [
   ["drag", "move"], ["wheel, + −", "zoom"], ["Shift drag, , .", "turn; n turns x to the right again"], ["arrows", "move"],
   ["click, Enter", "what is there, at the pointer or the middle"], ["/", "search"], ["r", "route between two clicks"],
-  ["m", "measure"], ["l", "layers"], ["h", "colour lanes by height"], ["f", "what is left out"], ["0", "whole map"], ["d", "dark or light"], ["Esc", "close"],
+  ["m", "measure"], ["l", "layers"], ["h", "colour lanes by height"], ["f", "findings, what is left out"], ["0", "whole map"], ["d", "dark or light"], ["Esc", "close"],
 ];
 
 // How often it is looked at whether what is laid over the map begins or ends [ms].
@@ -50,8 +50,10 @@ class Viewer {
     const count = (number, one, many) => `${number.toLocaleString("en")} ${number === 1 ? one : many}`;
     $("about").textContent = [map.name, map.generation ? `generation ${map.generation}` : "", count(map.lanes, "lane", "lanes"), count(map.signals, "signal", "signals"), count(map.objects, "object", "objects"),
       `${(map.road_length / 1000).toFixed(1)} km of roads`].filter(Boolean).join(" · ");
-    $("show-left-out").hidden = !map.left_out;
-    $("show-left-out").textContent = `${map.left_out} left out`;
+    const found = this.found();
+    $("show-list").hidden = !map.left_out && !found;
+    $("show-list").classList.toggle("bad", map.left_out > 0);
+    $("show-list").textContent = [map.left_out && `${map.left_out} left out`, found && count(found, "finding", "findings")].filter(Boolean).join(", ");
     this.clear();
     if (!$("list").hidden) this.showList();
     this.legend();
@@ -273,16 +275,22 @@ class Viewer {
     else this.closeList();
   }
 
+  // Number of findings in the file; 0 where they are not known.
+  found() {
+    const { findings } = this.queries;
+    return findings ? findings.findings.length + findings.not_kept : 0;
+  }
+
   showList() {
-    if (!this.map.left_out) return this.closeList();
-    this.list.leftOut(this.queries.leftOut(), this.map.left_out);
+    if (!this.map.left_out && !this.found()) return this.closeList();
+    this.list.show(this.queries.leftOut(), this.map.left_out, this.queries.findings);
     this.list.mark(this.chosen);
-    $("show-left-out").setAttribute("aria-pressed", true);
+    $("show-list").setAttribute("aria-pressed", true);
   }
 
   closeList() {
     this.list.hide();
-    $("show-left-out").setAttribute("aria-pressed", false);
+    $("show-list").setAttribute("aria-pressed", false);
   }
 
   // Closes what is open: a way of clicking first, then the sheet, then the list.
@@ -302,7 +310,7 @@ class Viewer {
     $("measure").onclick = () => this.setMode("measure");
     $("theme").onclick = () => { this.dark = !this.dark; this.setTheme(); };
     $("show-layers").onclick = () => this.toggleLayers();
-    $("show-left-out").onclick = () => this.toggleList();
+    $("show-list").onclick = () => this.toggleList();
     new Search(this);
   }
 
@@ -348,6 +356,7 @@ async function start() {
     const live = served && new Live(served, code);
     const queries = live ? await live.load(live.number) : await Queries.open(code, await embedded("archive"), 0);
     if (!live) queries.lay(await embedded("overlay"));
+    if (!live) queries.know(await embedded("findings"));
     $("message").textContent = "";
     const viewer = globalThis.viewer = new Viewer(queries, live);
     live?.show(viewer);

@@ -51,6 +51,9 @@ class Queries {
     this.isOver = Boolean(this.module.lay(this.put(overlay)));
   }
 
+  // Takes what was found in the map's file: JSON, nothing where that is not known.
+  know(findings) { this.findings = findings.length ? JSON.parse(new TextDecoder().decode(findings)) : null; }
+
   // The moment of what is asked from now on [s since 1970].
   setMoment(seconds) { this.module.set_moment(seconds); }
 

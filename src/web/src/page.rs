@@ -4,7 +4,10 @@
 //! frames, no other script, whatever a map's names hold. The archive lies in it packed and as base64, which cannot end an
 //! element; a title is escaped.
 
+mod findings;
+
 use ct_codecs::{Base64, Encoder};
+pub use findings::{Findings, Found};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use sha2::{Digest, Sha256};
@@ -44,9 +47,11 @@ pub enum Content<'a> {
         map: &'a [u8],
         /// The overlay's bytes; none without one.
         overlay: &'a [u8],
+        /// What was found in the map's file.
+        findings: &'a Findings,
     },
     /// Maps of these names, which the server of the page serves, too: the archive of the first at `map/0`, what is laid over it at `overlay/0`, its events
-    /// at `events/0`, and so on.
+    /// at `events/0`, its findings at `findings/0`, and so on.
     Served(&'a [String]),
 }
 
@@ -67,8 +72,7 @@ pub fn write(content: Content<'_>, title: &str, out: &mut dyn Write) -> io::Resu
             "script" => out.write_all(script.as_bytes())?,
             "module" => base64(MODULE, out)?,
             "served" => out.write_all(served(content).as_bytes())?,
-            "overlay" => packed(content, |_, overlay| overlay, out)?,
-            _ => packed(content, |map, _| map, out)?,
+            name => packed(content, name, out)?,
         }
         rest = after;
     }
@@ -95,15 +99,15 @@ fn served(content: Content<'_>) -> String {
     serde_json::to_string(names).unwrap_or_default().replace('<', "\\u003c")
 }
 
-/// The archive or the overlay, packed; nothing for a page that fetches it.
-fn packed<'a>(
-    content: Content<'a>,
-    which: impl FnOnce(&'a [u8], &'a [u8]) -> &'a [u8],
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    let Content::Archive { map, overlay } = content else { return Ok(()) };
+/// The archive, the overlay or the findings, packed; nothing for a page that fetches them.
+fn packed(content: Content<'_>, name: &str, out: &mut dyn Write) -> io::Result<()> {
+    let Content::Archive { map, overlay, findings } = content else { return Ok(()) };
     let mut packer = GzEncoder::new(Vec::new(), Compression::best());
-    packer.write_all(which(map, overlay))?;
+    packer.write_all(match name {
+        "overlay" => overlay,
+        "findings" => findings.json().as_bytes(),
+        _ => map,
+    })?;
     base64(&packer.finish()?, out)
 }
 

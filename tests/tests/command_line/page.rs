@@ -5,7 +5,7 @@ use mapd_client::Snapshot;
 use mapd_tests::maps::{Random, carried_and, open, open_text};
 use mapd_tests::overlays::over;
 use mapd_tests::town::town;
-use mapd_web::page::Content;
+use mapd_web::page::{Content, Findings};
 use mapd_web::{Kind, Layer, Link, Paint, Question};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeSet;
@@ -94,7 +94,11 @@ fn hostile_names_are_text() {
 fn what_is_laid_over_the_map_is_shown() {
     let snapshot = over_the_town();
     let mut page = Vec::new();
-    let content = Content::Archive { map: snapshot.bytes(), overlay: snapshot.overlay_bytes() };
+    let content = Content::Archive {
+        map: snapshot.bytes(),
+        overlay: snapshot.overlay_bytes(),
+        findings: &Findings::UNKNOWN,
+    };
     mapd_web::page::write(content, "town", &mut page).expect("written");
     let page = String::from_utf8(page).expect("UTF-8");
     assert_eq!(unpacked(&page, "overlay"), snapshot.overlay_bytes());

@@ -6,7 +6,7 @@ use mapd_tests::browser::Browser;
 use mapd_tests::damage::seal_header;
 use mapd_tests::maps::{open, open_text};
 use mapd_tests::object_maps::{PLAIN, document};
-use mapd_web::page::Content;
+use mapd_web::page::{Content, Findings};
 use serde_json::{Value, json};
 
 /// Where in an archive's header its format begins.
@@ -180,7 +180,10 @@ fn an_archive_of_another_format_is_refused_with_a_reason() {
     bytes[FORMAT_AT] ^= 0xff;
     seal_header(&mut bytes);
     let Some(mut browser) = any_browser() else { return };
-    show(&mut browser, Content::Archive { map: &bytes, overlay: &[] });
+    show(
+        &mut browser,
+        Content::Archive { map: &bytes, overlay: &[], findings: &Findings::UNKNOWN },
+    );
     let said = browser.evaluate(MESSAGE);
     let said = said.as_str().expect("text");
     assert!(said.starts_with("The map cannot be shown: ") && said.contains("format"), "{said}");
@@ -252,7 +255,7 @@ fn hostile_names_do_nothing() {
     assert!(found.as_str().is_some_and(|text| text.contains(hostile)), "{found}");
     assert_eq!(
         browser.evaluate("[document.title, document.images.length, document.scripts.length]"),
-        json!(["map", 0, 5])
+        json!(["map", 0, 6])
     );
     assert_eq!(browser.complaints, [""; 0]);
 }

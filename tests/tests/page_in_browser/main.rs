@@ -4,13 +4,14 @@
 mod actions;
 mod answers;
 mod drawing;
+mod findings;
 mod live;
 mod touch;
 
 use mapd_client::{Road, Snapshot};
 use mapd_tests::browser::Browser;
 use mapd_tests::overlays::over;
-use mapd_web::page::Content;
+use mapd_web::page::{Content, Findings};
 use serde_json::json;
 
 /// Size of the page.
@@ -40,7 +41,14 @@ fn show(browser: &mut Browser, content: Content<'_>) {
 /// A browser with the page of a map; none, said aloud, where there is no browser.
 fn browser(map: &Snapshot) -> Option<Browser> {
     let mut browser = any_browser()?;
-    show(&mut browser, Content::Archive { map: map.bytes(), overlay: map.overlay_bytes() });
+    show(
+        &mut browser,
+        Content::Archive {
+            map: map.bytes(),
+            overlay: map.overlay_bytes(),
+            findings: &Findings::UNKNOWN,
+        },
+    );
     assert_eq!(browser.evaluate(MESSAGE), json!(""));
     Some(browser)
 }

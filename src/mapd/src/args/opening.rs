@@ -75,24 +75,13 @@ impl Opening {
     /// Errors: files that cannot be read, archives that this release cannot read, no such live map; options that do not go
     /// with the source.
     pub(crate) fn open(&self, source: &str) -> Result<Option<Snapshot>> {
-        self.open_showing(source, Manner::Bar)
+        Ok(self.open_with_findings(source, Manner::Bar)?.map(|(snapshot, _)| snapshot))
     }
 
-    /// As [`Opening::open`]; of an OpenDRIVE file also what was found in it.
+    /// As [`Opening::open`], of an OpenDRIVE file also what was found in it; says how far compiling is.
     ///
     /// Errors: as [`Opening::open`].
-    pub(crate) fn open_with_findings(&self, source: &str) -> Result<Option<Found>> {
-        self.found(source, Manner::Bar)
-    }
-
-    /// As [`Opening::open`], and says how far compiling is.
-    ///
-    /// Errors: as [`Opening::open`].
-    pub(crate) fn open_showing(&self, source: &str, manner: Manner) -> Result<Option<Snapshot>> {
-        Ok(self.found(source, manner)?.map(|(snapshot, _)| snapshot))
-    }
-
-    fn found(&self, source: &str, manner: Manner) -> Result<Option<Found>> {
+    pub(crate) fn open_with_findings(&self, source: &str, manner: Manner) -> Result<Option<Found>> {
         let (domain, wait) = self.live.get()?;
         let reading = self.ontology.for_source(source::is_compiled(source))?;
         let options = self.frame.source(source)?;

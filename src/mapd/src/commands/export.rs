@@ -3,6 +3,7 @@
 use crate::args::{Opening, ProgressArgs};
 use crate::draft;
 use crate::exit::{Exit, UsageError};
+use crate::findings;
 use crate::progress::Meter;
 use crate::same_file::is_same_file;
 use crate::source::{SHARED, say_without_overlay};
@@ -10,7 +11,9 @@ use anyhow::{Result, bail};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use mapd_client::Snapshot;
-use mapd_export::{ExportError, Format, Layer, LeftOut, Options, Origin, RouteEnds, write};
+use mapd_export::{
+    ExportError, Findings, Format, Layer, LeftOut, Options, Origin, RouteEnds, write,
+};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -59,15 +62,18 @@ impl ExportCommand {
             bail!(UsageError(format!("{} would overwrite its source", output.display())));
         }
         let manner = self.progress.manner();
-        let Some(snapshot) = self.opening.open_showing(&self.source, manner)? else {
-            return Ok(Exit::Rejected);
-        };
+        let opened = self.opening.open_with_findings(&self.source, manner)?;
+        let Some((snapshot, compiled)) = opened else { return Ok(Exit::Rejected) };
         if self.format == Format::Lanelet2 {
             say_without_overlay(&snapshot, "mapd");
         }
         let title = title(&self.source);
+        let findings = match self.format {
+            Format::Html => findings::of(&snapshot, compiled.as_deref()),
+            _ => Findings::UNKNOWN,
+        };
         let Self { index_boxes, route, layers, origin, autoware, .. } = self;
-        let options = Options { index_boxes, route, layers, origin, autoware, title };
+        let options = Options { index_boxes, route, layers, origin, autoware, title, findings };
         let name = output.map_or_else(|| self.format.name().into(), Path::to_string_lossy);
         let meter = Meter::new(&name, 0, manner);
         let to = |out: &mut dyn Write| to_writer(&snapshot, self.format, &options, &meter, out);

@@ -10,6 +10,7 @@ mod signals;
 
 use crate::args::Opening;
 use crate::exit::Exit;
+use crate::progress::Manner;
 use anyhow::Result;
 use clap::Args;
 use std::io::Write;
@@ -37,7 +38,9 @@ impl InspectCommand {
     ///
     /// Errors: the source cannot be opened; the archive does not prove.
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
-        let Some((snapshot, compiled)) = self.opening.open_with_findings(&self.source)? else {
+        let Some((snapshot, compiled)) =
+            self.opening.open_with_findings(&self.source, Manner::Bar)?
+        else {
             return Ok(Exit::Rejected);
         };
         if self.verify {

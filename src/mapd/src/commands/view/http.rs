@@ -97,6 +97,8 @@ impl Server {
             archive(map, &mut stream)
         } else if let Some(map) = numbered("/overlay/") {
             overlay(map, &mut stream)
+        } else if let Some(map) = numbered("/findings/") {
+            findings(map, &mut stream)
         } else if let Some(map) = numbered("/events/") {
             events(map, &mut stream)
         } else if let Some(map) = numbered("/status/") {
@@ -199,6 +201,13 @@ fn overlay(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
     let more = format!("Content-Length: {}\r\nMapd-Revision: {revision}\r\n", bytes.len());
     ok(stream, "application/octet-stream", &more)?;
     stream.write_all(bytes)
+}
+
+/// What was found in the map's file; nothing where that is not known.
+fn findings(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
+    let json = map.findings().json();
+    ok(stream, "application/json", &format!("Content-Length: {}\r\n", json.len()))?;
+    stream.write_all(json.as_bytes())
 }
 
 /// What is known of who serves and reads the map now.

@@ -2,9 +2,12 @@
 
 use crate::args::Opening;
 use crate::commands::status;
+use crate::findings;
+use crate::progress::Manner;
 use crate::source::SHARED;
 use anyhow::Result;
 use mapd_client::{Client, Domain, Snapshot};
+use mapd_web::page::Findings;
 use std::path::Path;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -27,6 +30,7 @@ pub(super) struct Served {
     client: Option<Client>,
     /// Where a live map is.
     domain: Option<Domain>,
+    findings: Findings,
     now: Mutex<Snapshot>,
     changed: Condvar,
 }
@@ -36,20 +40,21 @@ impl Served {
     ///
     /// Errors: as [`Opening::open`].
     pub(super) fn open(source: &str, opening: &Opening) -> Result<Option<Self>> {
-        let (client, snapshot) = match source.strip_prefix(SHARED) {
+        let (client, opened) = match source.strip_prefix(SHARED) {
             Some(name) => {
                 let client = opening.connect(name)?;
                 let snapshot = client.snapshot();
-                (Some(client), Some(snapshot))
+                (Some(client), Some((snapshot, None)))
             }
-            None => (None, opening.open(source)?),
+            None => (None, opening.open_with_findings(source, Manner::Bar)?),
         };
         let domain = client.as_ref().map(|_| opening.domain()).transpose()?;
         let source = source.to_owned();
-        Ok(snapshot.map(|now| Self {
+        Ok(opened.map(|(now, compiled)| Self {
             source,
             client,
             domain,
+            findings: findings::of(&now, compiled.as_deref()),
             now: now.into(),
             changed: Condvar::new(),
         }))
@@ -58,6 +63,11 @@ impl Served {
     /// As it was named.
     pub(super) fn source(&self) -> &str {
         &self.source
+    }
+
+    /// What was found in a file; not known of a live map.
+    pub(super) fn findings(&self) -> &Findings {
+        &self.findings
     }
 
     /// What it is called: a file without its folder and kind, a live map by its name.
