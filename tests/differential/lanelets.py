@@ -7,7 +7,7 @@
 
 For each map: it loads without an error; the routing graphs pass Lanelet2's own checks; each lanelet's borders run as they are
 meant; every lane that follows another one does so in both, or the export's report says why not; routes cost the same in
-both graphs; the nearest lanelet is as near as the nearest lane. Prints a table of how often what held, and ends with 1
+both graphs; the nearest lanelet is as near as the nearest lane; who gives way to whom, lights and turns are those that `mapd query` tells. Prints a table of how often what held, and ends with 1
 where something differs for a reason that nobody gave.
 """
 
@@ -46,6 +46,10 @@ NEAREST = 0.1
 CHANGED = ("merged", "narrow", "cut", "lost")
 # How far points lie from a point of the map [m].
 REACH = 8.0
+# Lights so far before a junction are those of its movements [m].
+APPROACH = 30.0
+# Movements that turn by less are straight [rad]; by more, back. Nearer to either than this nothing is said of them.
+STRAIGHT, BACK, UNCLEAR = math.pi / 4, math.pi * 7 / 8, 0.01
 
 
 def run(mapd, *arguments, given=None):
@@ -185,11 +189,14 @@ class Map:
         unsure = {(a, b) for a, b in expected - found if both & {a, b}}
         self.counts["edges of mapd alone: both ways, not compared"] += len(unsure)
         expected -= unsure
+        # What routes cannot use, or use alone, for a reason that is known by then.
+        self.missing, self.surplus = defaultdict(set), set()
         self.counts["edges of both"] = len(expected & found)
         for a, b in expected - found:
             pair = keys[a], keys[b]
             reason = "lost" if pair in self.lost else "turned" if self.turned & set(pair) else None
             self.counts[f"edges of mapd alone: {reason}"] += 1
+            self.missing[a].add(b)
             if reason is None:
                 self.wrong.append(("edge of mapd alone", pair))
         for a, b in found - expected:
@@ -198,6 +205,7 @@ class Map:
             if reason is None and both & {a, b}:
                 reason = "both ways, not compared"
             self.counts[f"edges of Lanelet2 alone: {reason}"] += 1
+            self.surplus.add((a, b))
             if reason is None:
                 self.wrong.append(("edge of Lanelet2 alone", pair))
 
@@ -206,8 +214,8 @@ class Map:
         attributes = one.attributes
         return self.weight.get(one.id, float(attributes["s_to"]) - float(attributes["s_from"]))
 
-    def cheapest(self, start, target):
-        """Cost of the cheapest way through Lanelet2's graph, with mapd's lengths [m]."""
+    def cheapest(self, start, target, mended=False):
+        """Cost of the cheapest way through Lanelet2's graph, with mapd's lengths [m]; mended: with the edges that it lacks, without those that it alone has."""
         graph, begin = self.graphs["VehicleCar"], (start.id, False)
         best, queue = {begin: 0.0}, [(0.0, begin)]
         while queue:
@@ -218,7 +226,11 @@ class Map:
                 continue
             one = self.map.laneletLayer[at[0]]
             one = one.invert() if at[1] else one
-            ways = [(beyond, self.length(one)) for beyond in graph.following(one)]
+            following = graph.following(one)
+            if mended and not at[1]:
+                following = [beyond for beyond in following if (at[0], beyond.id) not in self.surplus]
+                following += [self.map.laneletLayer[beyond] for beyond in self.missing[at[0]]]
+            ways = [(beyond, self.length(one)) for beyond in following]
             ways += [(beside, CHANGE) for beside in (graph.left(one), graph.right(one)) if beside]
             for way, own in ways:
                 way = way.id, way.inverted()
@@ -265,20 +277,152 @@ class Map:
             if (own is None) != (graph.shortestPath(a, b) is None):
                 self.wrong.append(("route of Lanelet2", (a.id, b.id)))
             cost = float(answer["length"]) + CHANGE * float(answer["lane_changes"]) if answer["length"] else None
-            reason = None
             merged = sum(tuple(key.split(":")[:2]) in self.merged_sections for key in lanes)
-            if (own is None) == (cost is None) and (own is None or abs(own - cost) <= ROUTE + SHORTEST * merged):
+            alike = lambda own: (own is None) == (cost is None) and (own is None or abs(own - cost) <= ROUTE + SHORTEST * merged)
+            if alike(own):
                 self.counts["routes alike" if own is not None else "no route in either"] += 1
                 continue
-            if self.lost or self.turned:
-                reason = "lost or turned on the way" if own is None or cost is not None and own > cost else None
-            if reason is None and self.extra and (cost is None or own is not None and own < cost):
-                reason = "extra on the way"
+            # Only what the report tells of edges may make it another route: with them it is the same.
+            reason = "by an edge that is told of" if (self.missing or self.surplus) and alike(self.cheapest(a, b, True)) else None
             if reason is None and None not in (own, cost) and 0 < cost - own <= SHORTEST * len(lanes):
                 reason = "through merged sections"
             self.counts[f"routes: {reason}"] += 1
             if reason is None:
                 self.wrong.append(("route", (a.attributes["lane_key"], b.attributes["lane_key"], own, cost)))
+
+    def query(self, kind, header, rows):
+        """Answers of `mapd query`, those of each question together."""
+        text = io.StringIO()
+        writer = csv.writer(text)
+        writer.writerow([*header, "question"])
+        writer.writerows([*row, number] for number, row in enumerate(rows))
+        answers = [[] for _ in rows]
+        for answer in csv.DictReader(io.StringIO(run(self.mapd, "query", self.source, kind, given=text.getvalue()))):
+            answers[int(answer["question"])].append(answer)
+        return answers
+
+    def rules(self):
+        """Right of way, lights and turns of the lanes of junctions that cars use."""
+        by_lane = self.ends()
+        lanes = {}
+        for (key, begin), lane in sorted(self.lanes.items()):
+            is_own = lane["junction"] and lane["type"] != "sidewalk" and not lane["is_bidirectional"] and not lane["is_temporary"]
+            if is_own and by_lane[key] and key not in lanes:
+                lanes[key] = lane
+        cars = [edge for edge in self.edges if "passengerCar" in edge["vehicles"].split(",")]
+        used = {edge[end] for edge in cars for end in ("from", "to")}
+        lanes = {key: lane for key, lane in lanes.items() if key in used}
+        if not lanes:
+            return
+        before, behind = defaultdict(set), defaultdict(set)
+        for edge in cars:
+            before[edge["to"]].add(edge["from"])
+            behind[edge["from"]].add(edge["to"])
+        everything = {key: lane for (key, _), lane in self.lanes.items()}
+        self.right_of_way(lanes, by_lane)
+        self.lights(lanes, by_lane, before, everything)
+        self.turns(lanes, by_lane, before, behind, everything)
+
+    def first(self, key, by_lane):
+        """The lanelet by which a lane is entered."""
+        pieces = sorted(by_lane[key], key=lambda piece: piece[0])
+        return pieces[0 if self.lane(pieces[0][2])["is_forward"] else -1][2]
+
+    @staticmethod
+    def along(lane, inside=INSIDE):
+        """Where a lane is entered and left, as s."""
+        ends = lane["s_from_m"] + inside, lane["s_to_m"] - inside
+        return ends if lane["is_forward"] else ends[::-1]
+
+    def right_of_way(self, lanes, by_lane):
+        header = ["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"]
+        rows = []
+        for lane in lanes.values():
+            start, end = self.along(lane)
+            rows.append([lane["road"], start, lane["lane"], lane["road"], end, lane["lane"]])
+        for (key, lane), answers in zip(lanes.items(), self.query("conflicts", header, rows), strict=True):
+            if any(answer["error"] for answer in answers):
+                self.counts["right of way: no way along the lane"] += 1
+                continue
+            told = {one["other_lane"] for one in answers if one["yields"] == "yields" and one["basis"] == "written"}
+            expected = {other for other in told if by_lane[other]}
+            entered, found, lines = self.first(key, by_lane), set(), []
+            for rule in entered.rightOfWay():
+                if entered.id in {one.id for one in rule.yieldLanelets()}:
+                    found |= {one.attributes["lane_key"] for one in rule.rightOfWayLanelets()}
+                    lines.append(rule.stopLine)
+            # A way over a lane begins and ends a millimetre inside: what it only touches is not told.
+            self.counts[f"right of way: lanes alike{'' if expected else ', nobody to wait for'}" if expected == found else "right of way: lanes not alike"] += 1
+            self.counts["right of way: with a line"] += sum(line is not None for line in lines)
+            if expected != found:
+                self.wrong.append(("right of way", (key, sorted(expected), sorted(found))))
+
+    def lights(self, lanes, by_lane, before, everything):
+        places, of = [], []
+        for key, lane in lanes.items():
+            # A movement that goes over several lanes has its lights on the first.
+            if any(one in lanes and lanes[one]["junction"] == lane["junction"] for one in before[key]):
+                continue
+            # Lights may stand at its very beginning.
+            start, end = self.along(lane, 0.0)
+            places.append([lane["road"], start, lane["lane"], abs(end - start)])
+            of.append((key, False))
+            # From each lane that leads here as far as it reaches, then from those before it.
+            level, left = before[key], {one: APPROACH for one in before[key]}
+            while level:
+                further = set()
+                for one in level:
+                    own = everything[one]
+                    entry, exit = self.along(own)
+                    reach = min(abs(exit - entry), left[one])
+                    # A little over its end: lights at the very beginning of the next lane are for this one, too.
+                    places.append([own["road"], exit + math.copysign(reach, entry - exit), own["lane"], reach + 10 * INSIDE])
+                    of.append((key, one in before[key]))
+                    if left[one] > abs(exit - entry) + INSIDE:
+                        for other in before[one] - left.keys():
+                            left[other] = left[one] - abs(exit - entry)
+                            further.add(other)
+                level = further
+        found, sure = defaultdict(set), defaultdict(set)
+        header = ["road_id", "s", "lane_id", "distance"]
+        for (key, is_next), place, answers in zip(of, places, self.query("signals", header, places), strict=True):
+            for answer in answers:
+                lamps = answer["state_machine"].split(":")
+                if answer["id"] and lamps[0]:
+                    found[key].add(answer["id"])
+                    is_vague = len(lamps) > 2 or not answer["class"].startswith("traffic_light") or float(answer["distance"]) > place[3] - 10 * INSIDE
+                    if is_next and not is_vague:
+                        sure[key].add(answer["id"])
+        for key in dict.fromkeys(key for key, _ in of):
+            own = {light.attributes["signal_id"] for rule in self.first(key, by_lane).trafficLights() for light in rule.trafficLights}
+            if own <= found[key] and sure[key] <= own:
+                self.counts["lights: lanes alike" if own else "lights: none"] += 1
+            else:
+                self.counts["lights: lanes not alike"] += 1
+                self.wrong.append(("lights", (key, sorted(own), sorted(found[key]), sorted(sure[key]))))
+
+    def turns(self, lanes, by_lane, before, behind, everything):
+        header, rows, keys = ["road_id", "s", "lane_id"], [], []
+        for key, lane in lanes.items():
+            own = lambda others: {one for one in others if everything[one]["junction"] == lane["junction"]}
+            # One of a movement over several lanes is left to those of one lane.
+            if own(before[key]) or own(behind[key]):
+                self.counts["turns: of several lanes, not compared"] += 1
+                continue
+            keys.append(key)
+            rows += [[lane["road"], s, lane["lane"]] for s in self.along(lane, 0.0)]
+        answers = iter(self.query("lane", header, rows))
+        for key, start, end in zip(keys, answers, answers, strict=True):
+            turned = math.remainder(float(end[0]["hdg"]) - float(start[0]["hdg"]), math.tau)
+            if min(abs(abs(turned) - limit) for limit in (STRAIGHT, BACK)) < UNCLEAR:
+                continue
+            # A way back is a turn to the side of the oncoming traffic.
+            back = "left" if (everything[key]["lane"] < 0) == everything[key]["is_forward"] else "right"
+            expected = "straight" if abs(turned) < STRAIGHT else back if abs(turned) > BACK else "left" if turned > 0 else "right"
+            found = {one.attributes["turn_direction"] for *_, one in by_lane[key]}
+            self.counts[f"turns: {expected}"] += 1
+            if found != {expected}:
+                self.wrong.append(("turn", (key, expected, found)))
 
     def nearest(self, randomly):
         """Distances of points from the nearest lanelet and lane."""
@@ -336,6 +480,7 @@ def main():
             one.orientation()
             one.following()
             one.routes(random.Random(1))
+            one.rules()
             one.nearest(random.Random(2))
         total += one.counts
         print(f"{source}: " + "; ".join(f"{what} {count}" for what, count in sorted(one.counts.items())))
