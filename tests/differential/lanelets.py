@@ -144,8 +144,8 @@ class Map:
             for one in pieces:
                 own = float(one.attributes["s_to"]) - float(one.attributes["s_from"])
                 self.weight[one.id] = edge["length_m"] * own / (span[1] - span[0])
-            node = edge["from"], *span
-            target = edge["to"], edge["to_s_from_m"], edge["to_s_to_m"]
+            node = edge["from"], *span, edge["from_is_forward"]
+            target = edge["to"], edge["to_s_from_m"], edge["to_s_to_m"], edge["to_is_forward"]
             through[node].add(target)
         merged = lambda node: not any(near(own[0], node[1]) or near(own[1], node[2]) for *own, _ in by_lane[node[0]])
 
@@ -158,20 +158,17 @@ class Map:
                 else:
                     yield target
 
-        lanes = {}
-        for (key, begin), lane in self.lanes.items():
-            lanes[key, round(begin, 4)] = lane
-        way = lambda node: next(lane for (key, begin), lane in self.lanes.items() if key == node[0] and begin <= node[1] + 1e-5 <= lane["s_to_m"])
-        ways = {}
+        # A lanelet of a lane that is used both ways is driven against its own direction, too: it is inverted then.
+        ways = lambda lanelets, forward: [(one.id, forward != self.lane(one)["is_forward"]) for one in lanelets]
         for node in list(through):
             if merged(node):
                 continue
-            ways.setdefault(node, way(node))
-            last = at(node[0], 1, node[2]) if ways[node]["is_forward"] else at(node[0], 0, node[1])
+            forward = node[3]
+            last = ways(at(node[0], 1, node[2]) if forward else at(node[0], 0, node[1]), forward)
             for target in targets(node, set()):
-                ways.setdefault(target, way(target))
-                first = at(target[0], 0, target[1]) if ways[target]["is_forward"] else at(target[0], 1, target[2])
-                expected.update((a.id, b.id) for a in last for b in first)
+                forward = target[3]
+                first = ways(at(target[0], 0, target[1]) if forward else at(target[0], 1, target[2]), forward)
+                expected.update((a, b) for a in last for b in first)
         # Pieces of one node.
         for pieces in by_lane.values():
             pieces.sort(key=lambda piece: piece[0])
@@ -180,30 +177,25 @@ class Map:
                     pair = before[2], behind[2]
                     a, b = pair if self.lane(before[2])["is_forward"] else pair[::-1]
                     if b in graph.following(a):
-                        expected.add((a.id, b.id))
+                        expected.add(((a.id, False), (b.id, False)))
+                    if self.lane(a)["is_bidirectional"] and a.invert() in graph.following(b.invert()):
+                        expected.add(((b.id, True), (a.id, True)))
         keys = {one.id: one.attributes["lane_key"] for one in self.own}
-        found = {(one.id, next_one.id) for one in self.own for next_one in graph.following(one)}
-        # Of a lane that is used both ways a feature does not say which way it means.
-        both = {one.id for one in self.own if self.lane(one)["is_bidirectional"]}
-        found |= {(one.id, beyond.id) for one in self.own if one.id in both for beyond in graph.following(one.invert())}
-        unsure = {(a, b) for a, b in expected - found if both & {a, b}}
-        self.counts["edges of mapd alone: both ways, not compared"] += len(unsure)
-        expected -= unsure
+        driven = [(one, False) for one in self.own] + [(one.invert(), True) for one in self.own if self.lane(one)["is_bidirectional"]]
+        found = {((one.id, inverted), (beyond.id, beyond.inverted())) for one, inverted in driven for beyond in graph.following(one)}
         # What routes cannot use, or use alone, for a reason that is known by then.
         self.missing, self.surplus = defaultdict(set), set()
         self.counts["edges of both"] = len(expected & found)
         for a, b in expected - found:
-            pair = keys[a], keys[b]
+            pair = keys[a[0]], keys[b[0]]
             reason = "lost" if pair in self.lost else "turned" if self.turned & set(pair) else None
             self.counts[f"edges of mapd alone: {reason}"] += 1
             self.missing[a].add(b)
             if reason is None:
                 self.wrong.append(("edge of mapd alone", pair))
         for a, b in found - expected:
-            pair = keys[a], keys[b]
+            pair = keys[a[0]], keys[b[0]]
             reason = "extra" if pair in self.extra else "turned" if self.turned & set(pair) else None
-            if reason is None and both & {a, b}:
-                reason = "both ways, not compared"
             self.counts[f"edges of Lanelet2 alone: {reason}"] += 1
             self.surplus.add((a, b))
             if reason is None:
@@ -227,9 +219,10 @@ class Map:
             one = self.map.laneletLayer[at[0]]
             one = one.invert() if at[1] else one
             following = graph.following(one)
-            if mended and not at[1]:
-                following = [beyond for beyond in following if (at[0], beyond.id) not in self.surplus]
-                following += [self.map.laneletLayer[beyond] for beyond in self.missing[at[0]]]
+            if mended:
+                following = [beyond for beyond in following if (at, (beyond.id, beyond.inverted())) not in self.surplus]
+                lacking = [(self.map.laneletLayer[number], inverted) for number, inverted in self.missing[at]]
+                following += [beyond.invert() if inverted else beyond for beyond, inverted in lacking]
             ways = [(beyond, self.length(one)) for beyond in following]
             ways += [(beside, CHANGE) for beside in (graph.left(one), graph.right(one)) if beside]
             for way, own in ways:
@@ -375,8 +368,8 @@ class Map:
                     own = everything[one]
                     entry, exit = self.along(own)
                     reach = min(abs(exit - entry), left[one])
-                    # A little over its end: lights at the very beginning of the next lane are for this one, too.
-                    places.append([own["road"], exit + math.copysign(reach, entry - exit), own["lane"], reach + 10 * INSIDE])
+                    # Over its end: lights at the very beginning of the next lane are for this one, too, and lanes are longer than s in bends.
+                    places.append([own["road"], exit + math.copysign(reach, entry - exit), own["lane"], 1.1 * reach + 0.1])
                     of.append((key, one in before[key]))
                     if left[one] > abs(exit - entry) + INSIDE:
                         for other in before[one] - left.keys():
@@ -390,7 +383,7 @@ class Map:
                 lamps = answer["state_machine"].split(":")
                 if answer["id"] and lamps[0]:
                     found[key].add(answer["id"])
-                    is_vague = len(lamps) > 2 or not answer["class"].startswith("traffic_light") or float(answer["distance"]) > place[3] - 10 * INSIDE
+                    is_vague = len(lamps) > 2 or not answer["class"].startswith("traffic_light") or float(answer["distance"]) > 0.8 * place[3]
                     if is_next and not is_vague:
                         sure[key].add(answer["id"])
         for key in dict.fromkeys(key for key, _ in of):

@@ -44,7 +44,8 @@ fn of_lane(kind: LaneType) -> Option<&'static str> {
     }
 }
 
-fn of_object(class: Class) -> Option<&'static str> {
+/// The subtype of the area that an object is; none of others.
+pub(super) fn of_object(class: Class) -> Option<&'static str> {
     match class {
         Class::ParkingSpace => Some("parking"),
         Class::TrafficIsland => Some("traffic_island"),

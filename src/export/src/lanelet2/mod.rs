@@ -13,6 +13,7 @@ mod right_of_way;
 mod signs;
 mod stretches;
 mod tags;
+mod unsaid;
 
 use crate::{Progress, Result};
 use mapd_client::Map;
@@ -45,6 +46,7 @@ pub(super) fn write(
     signs::add(map, autoware, &mut model, &mut report);
     right_of_way::add(&mut model);
     areas::add(map, &mut model, &mut report);
+    unsaid::add(map, &mut report);
     osm::write(&model, projector, &mut report, progress, out)?;
     Ok(report)
 }

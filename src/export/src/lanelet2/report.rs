@@ -96,7 +96,14 @@ impl Report {
 
     /// Counts something that Lanelet2 has no words for.
     pub(super) fn unsaid(&mut self, what: &'static str) {
-        *self.unsaid.entry(what).or_default() += 1;
+        self.unsaid_times(what, 1);
+    }
+
+    /// Counts something that it has no words for, which occurs so often.
+    pub(super) fn unsaid_times(&mut self, what: &'static str, count: usize) {
+        if count > 0 {
+            *self.unsaid.entry(what).or_default() += count;
+        }
     }
 
     /// Says in a few lines how much of what there is.
