@@ -33,10 +33,14 @@ impl Writer {
     }
 }
 
-/// The whole map, at one time.
+/// The whole map, at one time. `doing` is told which part comes next.
 ///
 /// Errors: the file cannot be encoded.
-pub(crate) fn of(map: Map<'_>, time: Timestamp) -> Result<Recording> {
+pub(crate) fn of(
+    map: Map<'_>,
+    time: Timestamp,
+    doing: &mut dyn FnMut(&'static str),
+) -> Result<Recording> {
     let context = Context::new();
     let file = context.mcap_writer().create(Cursor::new(Vec::new()))?;
     let writer = Writer { context, time };
@@ -66,8 +70,11 @@ pub(crate) fn of(map: Map<'_>, time: Timestamp) -> Result<Recording> {
         writer.log("/map/location", &fix);
     }
     let update = |entities| SceneUpdate { deletions: Vec::new(), entities };
+    doing("lanes");
     writer.log("/map/lanes", &update(lanes::entities(map, &frame, stamp)));
+    doing("road marks");
     writer.log("/map/marks", &update(marks::entities(map, &frame, stamp)));
+    doing("signals");
     writer.log("/map/signals", &update(signals::entities(map, &frame, stamp)));
     let bytes = file.close()?.into_inner();
     Ok(Recording { bytes, has_place: place.is_some() })

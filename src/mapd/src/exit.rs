@@ -72,7 +72,7 @@ impl From<Exit> for ExitCode {
 pub(crate) struct UsageError(pub(crate) String);
 
 /// An error with its causes, each once: many messages end with their cause already.
-pub(crate) fn explained(error: &anyhow::Error) -> String {
+pub fn explained(error: &anyhow::Error) -> String {
     let mut text = String::new();
     for cause in error.chain().map(|cause| cause.to_string()) {
         if text.is_empty() {

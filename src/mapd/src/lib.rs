@@ -34,7 +34,7 @@ mod findings;
 mod joining;
 mod oversight;
 mod program;
-mod progress;
+pub mod progress;
 pub mod report;
 mod same_file;
 pub mod serve;

@@ -15,7 +15,7 @@ const GZIP: [u8; 2] = [0x1f, 0x8b];
 
 /// How progress is shown.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Manner {
+pub enum Manner {
     /// Not at all.
     Silent,
     /// By a bar on terminals, else not at all.
@@ -25,7 +25,7 @@ pub(crate) enum Manner {
 }
 
 /// Shows how far work is.
-pub(crate) struct Meter {
+pub struct Meter {
     /// Hidden where there is no terminal; of work on a number that is not known, words and the time so far.
     bar: ProgressBar,
     lines: Option<Mutex<Lines>>,
@@ -33,13 +33,13 @@ pub(crate) struct Meter {
 
 impl Meter {
     /// Of work on a file.
-    pub(crate) fn of_file(path: &Path, manner: Manner) -> Self {
+    pub fn of_file(path: &Path, manner: Manner) -> Self {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         Self::new(&name, decoded_bytes(path), manner)
     }
 
     /// Of work on so many bytes; 0: on a number that is not known.
-    pub(crate) fn new(name: &str, total: u64, manner: Manner) -> Self {
+    pub fn new(name: &str, total: u64, manner: Manner) -> Self {
         let is_terminal = io::stderr().is_terminal();
         let lines = match manner {
             Manner::Lines(interval) if !is_terminal => {
@@ -62,7 +62,7 @@ impl Meter {
     }
 
     /// Shows a compilation's progress.
-    pub(crate) fn show(&self, progress: Progress) {
+    pub fn show(&self, progress: Progress) {
         match progress {
             Progress::Reading { bytes, roads } => {
                 self.read(bytes, || format!("reading, {roads} roads"));
@@ -86,7 +86,7 @@ impl Meter {
     }
 
     /// Shows what is being done.
-    pub(crate) fn stage(&self, doing: impl Fn() -> String) {
+    pub fn stage(&self, doing: impl Fn() -> String) {
         if !self.bar.is_hidden() {
             self.bar.set_message(doing());
         }
@@ -100,7 +100,7 @@ impl Meter {
     }
 
     /// Ends it.
-    pub(crate) fn finish(&self) {
+    pub fn finish(&self) {
         self.bar.finish_and_clear();
     }
 
