@@ -1,6 +1,17 @@
 //! Values against JSON schemas, as far as mapd's own use them; stricter in one thing: a field that the schema does not list is wrong, though users must bear it.
 
 use serde_json::Value;
+use std::fs;
+
+/// A published schema, by its name: of `schemas/NAME.schema.json`.
+pub fn schema(name: &str) -> Value {
+    file(&format!("{name}.schema.json"))
+}
+
+fn file(name: &str) -> Value {
+    let path = crate::workspace().join("schemas").join(name);
+    serde_json::from_slice(&fs::read(&path).expect(name)).expect("JSON")
+}
 
 /// What is wrong with a value, with its place; none if it is what the schema says.
 pub fn wrong(schema: &Value, value: &Value) -> Option<String> {
@@ -60,8 +71,13 @@ impl Schema<'_> {
         let count = value.as_array().map(|all| all.len() as u64);
         let holds = match word {
             "$ref" => {
-                let path = said.as_str().expect("a path").trim_start_matches('#');
-                return self.wrong(self.root.pointer(path).expect(path), value, place);
+                let (other, path) =
+                    said.as_str().and_then(|path| path.split_once('#')).expect("a path");
+                if other.is_empty() {
+                    return self.wrong(self.root.pointer(path).expect(path), value, place);
+                }
+                let root = file(other);
+                return Schema { root: &root }.wrong(root.pointer(path).expect(path), value, place);
             }
             "properties" => {
                 return fields().find_map(|(name, value)| {

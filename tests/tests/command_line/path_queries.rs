@@ -1,6 +1,8 @@
 //! `mapd query … path`, `corridor`, `project`, `conflicts` and `speed`: columns, values, and JSON of every kind.
 
 use mapd_tests::command;
+use mapd_tests::json_schema::{schema, wrong};
+use std::collections::BTreeSet;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 const ROUTE: &str = "from_road,from_s,from_lane,to_road,to_s,to_lane";
@@ -80,14 +82,16 @@ fn conflicts_and_speeds_have_their_columns() {
     assert!(found[2][5].contains("has no lane 99"), "{found:?}");
 }
 
-/// Every kind answers the same in both forms.
 /// Columns of names, which stay text also where they look like numbers.
-const NAMES: [&str; 5] = ["road_id", "from_road", "to_road", "id", "value"];
+const NAMES: [&str; 7] = ["road_id", "from_road", "to_road", "junction_id", "group", "id", "value"];
 
+/// Every kind answers the same in both forms, and as the schema of answers says.
 #[test]
 fn every_kind_answers_as_json() {
     let route = format!("{ROUTE}\n1,2,-1,1,12,-1\n");
     let path = format!("{ROUTE},x,y\n1,2,-1,1,12,-1,5,-1\n");
+    let schema = schema("answers");
+    let mut asked = BTreeSet::new();
     for (kind, input) in [
         ("inertial", "road_id,s,t\n1,5,0\nx,5,0\n"),
         ("surface", "road_id,s,t\n1,5,0\n"),
@@ -106,9 +110,23 @@ fn every_kind_answers_as_json() {
         ("corridor", &route),
         ("conflicts", &route),
         ("project", &path),
+        ("geodetic", "x,y\n5,-1\n"),
+        ("from-geodetic", "lat,lon\n48,11\n"),
+        ("landmarks", "x,y,radius\n5,0,20\n"),
+        ("annotations", "owner,id\nroad,1\nnone,1\n"),
+        ("visibility", "road_id,s,lane_id\n1,5,-1\n"),
+        ("lane-rule", "road_id,s,lane_id\n1,5,-1\n"),
+        ("junction-groups", "junction_id\n1\n"),
     ] {
+        asked.insert(kind.to_owned());
         let table = rows(&query("one_road.xodr", &[kind], input));
-        let json = query("one_road.xodr", &[kind, "--format", "json"], input);
+        let json = query("one_road.xodr", &[kind, "--json"], input);
+        let value = serde_json::from_str(&json).expect("JSON");
+        assert_eq!(wrong(&schema, &value), None, "{kind}: {json}");
+        for column in &table[0] {
+            assert!(schema["items"]["properties"].get(column).is_some(), "{kind}: {column}");
+        }
+        assert_eq!(json, query("one_road.xodr", &[kind, "--format", "json"], input));
         let json: Vec<serde_json::Map<String, serde_json::Value>> =
             serde_json::from_str(&json).unwrap_or_else(|error| panic!("{kind}: {error}: {json}"));
         assert_eq!(json.len(), table.len() - 1, "{kind}");
@@ -126,4 +144,9 @@ fn every_kind_answers_as_json() {
             }
         }
     }
+    let program = mapd::cli::command();
+    let query = program.find_subcommand("query").expect("a command");
+    let kinds = query.get_arguments().find(|arg| arg.get_id() == "kind").expect("an argument");
+    let kinds = kinds.get_possible_values();
+    assert_eq!(asked, kinds.iter().map(|kind| kind.get_name().to_owned()).collect());
 }

@@ -1,7 +1,8 @@
 //! What commands print as JSON is what the published schemas say: every field is there, and no other.
 
+use super::trust::write_keys;
 use mapd_client::{Attach, Client};
-use mapd_tests::json_schema::wrong;
+use mapd_tests::json_schema::{schema, wrong};
 use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::{carried, workspace};
 use serde_json::Value;
@@ -10,15 +11,48 @@ use std::path::PathBuf;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
+/// Commands with `--json`, and the schema of what they print then.
+const PRINTED: [(&str, &str); 17] = [
+    ("activate", "change"),
+    ("bench", "bench"),
+    ("check", "report"),
+    ("compile", "tiles"),
+    ("doctor", "doctor"),
+    ("inspect", "inspect"),
+    ("match", "answers"),
+    ("overlay apply", "overlay-list"),
+    ("overlay clear", "overlay-list"),
+    ("overlay list", "overlay-list"),
+    ("overlay remove", "overlay-list"),
+    ("overlay show", "overlay-list"),
+    ("query", "answers"),
+    ("reload", "change"),
+    ("rollback", "change"),
+    ("sign", "signatures"),
+    ("status", "status"),
+];
+
+/// Commands that report nothing: they write a file, a page, a script or help.
+const SILENT: [&str; 5] = ["completions", "export", "help", "man", "view"];
+
+/// Commands that have no others below them, by name.
+fn commands(command: &clap::Command, path: &str, all: &mut Vec<(String, bool)>) {
+    for below in command.get_subcommands().filter(|below| !below.is_hide_set()) {
+        let name = format!("{path}{}", below.get_name());
+        if below.has_subcommands() {
+            commands(below, &format!("{name} "), all);
+        } else {
+            let is_json = |arg: &clap::Arg| arg.get_long() == Some("json");
+            let has_json = below.get_arguments().any(is_json);
+            all.push((name, has_json));
+        }
+    }
+}
+
 /// A domain and a folder.
 struct Scene {
     place: TestDomain,
     folder: tempfile::TempDir,
-}
-
-fn schema(name: &str) -> Value {
-    let file = workspace().join(format!("schemas/{name}.schema.json"));
-    serde_json::from_slice(&fs::read(&file).expect("read")).expect("JSON")
 }
 
 impl Scene {
@@ -38,8 +72,11 @@ impl Scene {
             .unwrap_or_else(|error| panic!("{args:?}: {error}: {said}"))
     }
 
-    /// What a command prints, which a schema describes.
+    /// What a command prints, which the schema of this name describes.
     fn conforms(&self, name: &str, args: &[&str]) -> Value {
+        let commands =
+            || PRINTED.iter().filter(|(command, _)| command.split(' ').next() == Some(args[0]));
+        assert!(commands().any(|(_, schema)| *schema == name), "{args:?}: {name}");
         let value = self.prints(args);
         assert_eq!(wrong(&schema(name), &value), None, "{args:?}: {value:#}");
         value
@@ -71,8 +108,8 @@ fn status_and_doctor() {
         let name = format!("name=\"Road {round}\"");
         fs::write(&map, text.replacen("name=\"Street 1\"", &name, 1)).expect("written");
         let stage = if round == 2 { &["--stage"][..] } else { &[] };
-        let output = scene.place.command().args(["reload", "town"]).args(stage).output();
-        assert!(output.expect("runs").status.success());
+        let told = scene.conforms("change", &[&["reload", "town", "--json"], stage].concat());
+        assert_eq!(told["result"], if round == 2 { "staged" } else { "published" });
     }
     let full = scene.conforms("status", &["status", "--json"]);
     let said = &full[0]["state"];
@@ -83,6 +120,12 @@ fn status_and_doctor() {
         );
     }
     scene.conforms("doctor", &["doctor", "--json"]);
+    scene.conforms("change", &["activate", "town", "--json"]);
+    scene.conforms("change", &["rollback", "town", "--json"]);
+    fs::write(&map, "no map").expect("written");
+    let failed = scene.conforms("change", &["reload", "town", "--json"]);
+    assert_eq!((&failed["result"], failed["reason"] == ""), (&"failed".into(), false));
+    fs::write(&map, text).expect("written");
     daemon.kill();
     let dead = scene.conforms("status", &["status", "--json"]);
     assert_eq!((&dead[0]["alive"], &dead[0]["daemon"]), (&Value::Bool(false), &Value::Null));
@@ -136,6 +179,114 @@ fn inspect_and_findings() {
         let own = full.pointer(field);
         assert!(own.is_some_and(|own| !own.is_null()), "{field}: {full:#}");
     }
+}
+
+#[test]
+fn tiles_signatures_and_figures() {
+    let scene = Scene::new();
+    let town = fs::read_to_string(carried("town.xodr")).expect("read");
+    let write = |name: &str, text: &str| fs::write(scene.path(name), text).expect("written");
+    let part = town.replacen("length=\"76\" id=\"2\"", "length=\"-1\" id=\"2\"", 1);
+    // Tiles are told in the order of their names.
+    let outcomes = ["accepted", "quarantined", "rejected"];
+    for (outcome, text) in outcomes.iter().zip([&town[..], &part, "no map"]) {
+        write(&format!("{outcome}.xodr"), text);
+    }
+    let path = |name: &str| scene.path(name).display().to_string();
+    let (folder, out) = (scene.folder.path().display().to_string(), path("out"));
+    let compile = ["compile", "--json", "--output-dir", &out, &folder];
+    let told = scene.conforms("tiles", &compile);
+    let found = told["tiles"].as_array().expect("tiles").iter().map(|tile| &tile["outcome"]);
+    assert!(found.eq(&outcomes), "{told:#}");
+    let skipped = scene.conforms("tiles", &compile);
+    assert_eq!(skipped["sums"]["up_to_date"], 2, "{skipped:#}");
+    let tight = [&compile[..], &["--force", "--max-memory", "1MiB"]].concat();
+    let failed = scene.conforms("tiles", &tight);
+    assert!(failed["tiles"][0]["reason"].is_string(), "{failed:#}");
+
+    write_keys(scene.folder.path());
+    write("works.json", r#"{"entries":[]}"#);
+    let (archive, works, key) = (path("out/accepted.mapd"), path("works.json"), path("ours.key"));
+    let signed = scene.conforms("signatures", &["sign", "--json", "--key", &key, &archive, &works]);
+    assert!(signed[0]["content_hash"].is_string() && signed[1]["overlay"].is_string());
+    let few = ["--clients", "1", "--queries", "10", "--routes", "1"];
+    scene.conforms("bench", &[&["bench", "--json", &archive], &few[..]].concat());
+}
+
+#[test]
+fn overlays() {
+    let scene = Scene::new();
+    let map = scene.path("town.xodr");
+    fs::copy(carried("town.xodr"), &map).expect("copied");
+    let _daemon = scene.place.serve(&[map.to_str().expect("a name")]);
+    let entries = scene.path("entries.json");
+    // Every field; and one whose road goes.
+    let text = r#"{"entries":[
+        {"id":"all","kind":"speed","source":"a","feed":"f","text":"b","value":5,"lanes":[{"road":"1","s":[1,9],"lane":-1}],
+         "vehicles":["truck"],"from":"2096-05-04T07:00:00Z","until":4000000000,"confidence":0.5,
+         "weekly":[{"days":["mon"],"from":"07:00","until":"09:00"}]},
+        {"id":"lost","kind":"closed","lanes":[{"road":"3"}]}]}"#;
+    fs::write(&entries, text).expect("written");
+    let entries = entries.to_str().expect("a name");
+    let overlay = |args: &[&str]| {
+        scene.conforms("overlay-list", &[&["overlay", "town"], args, &["--json"]].concat())
+    };
+    overlay(&["apply", entries]);
+    fs::copy(carried("one_road.xodr"), &map).expect("copied");
+    scene.prints(&["reload", "town", "--json"]);
+    let list = overlay(&["list"]);
+    let state = |state: &str| {
+        list["entries"].as_array().expect("entries").iter().any(|one| one["state"] == state)
+    };
+    assert!(state("waiting") && state("unplaced"), "{list:#}");
+    let later = overlay(&["list", "--at", "4000000000"]);
+    assert_eq!(later["entries"][0]["state"], "ended", "{later:#}");
+    let one = scene.prints(&["overlay", "town", "show", "all", "--json"]);
+    assert_eq!(one, list["entries"][0]);
+    overlay(&["remove", "lost"]);
+    overlay(&["clear"]);
+}
+
+#[test]
+fn answers() {
+    let scene = Scene::new();
+    let map = carried("town.xodr").display().to_string();
+    // Without questions: tests of the command line ask each kind.
+    let none = |args: &[&str], columns: &str| {
+        let input = scene.path("input.csv");
+        fs::write(&input, format!("{columns}\n")).expect("written");
+        let mut command = scene.place.command();
+        let output = command.args(args).stdin(fs::File::open(&input).expect("opens")).output();
+        let told: Value = serde_json::from_slice(&output.expect("runs").stdout).expect("JSON");
+        assert_eq!((wrong(&schema("answers"), &told), told), (None, Value::Array(Vec::new())));
+    };
+    none(&["query", &map, "nearest", "--json"], "x,y");
+    none(&["match", &map, "--json"], "time,x,y");
+    for command in [&["query", &map, "nearest"][..], &["match", &map], &["check", &map]] {
+        let both = [command, &["--json", "--format", "json"]].concat();
+        let output = scene.place.command().args(&both).output().expect("runs");
+        assert_eq!(output.status.code(), Some(2), "{both:?}: one of them is enough");
+    }
+}
+
+/// Every command that reports something has `--json`, a schema, and its line on the page of promises.
+#[test]
+fn commands_that_report_have_json_and_a_schema() {
+    let mut all = Vec::new();
+    commands(&mapd::cli::command(), "", &mut all);
+    let page = fs::read_to_string(workspace().join("docs/promises.md")).expect("read");
+    for (name, has_json) in &all {
+        let schema = PRINTED.iter().find(|(command, _)| command == name);
+        assert_eq!(*has_json, schema.is_some(), "{name}: --json and a schema");
+        assert_ne!(*has_json, SILENT.contains(&name.as_str()), "{name}: --json");
+        if let Some((_, schema)) = schema {
+            let first = name.split(' ').next().unwrap_or_default();
+            let link = format!("](../schemas/{schema}.schema.json)");
+            let mut cells = page.lines().filter(|line| line.contains(&link));
+            assert!(cells.any(|line| line.contains(&format!("`{first}`"))), "{name}: {link}");
+        }
+    }
+    assert_eq!(all.iter().filter(|(_, has_json)| *has_json).count(), PRINTED.len());
 }
 
 /// A schema that anything could be, or that differs from the output, is found out.

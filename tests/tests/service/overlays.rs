@@ -3,6 +3,7 @@
 use mapd_client::view::OverlayKind;
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Attach, Client, Snapshot};
+use mapd_tests::json_schema::{schema, wrong};
 use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::town::town;
 use serde_json::Value;
@@ -425,6 +426,7 @@ fn a_feed_applied_again_is_all_that_it_says() {
     fs::write(&feed, zone("active").to_string().replace("47.9", "47.8")).expect("written");
     let told = scene.ends(&["apply", feed.to_str().expect("a name"), "--json"], "", 0);
     let told: Value = serde_json::from_str(&told).expect("JSON");
+    assert_eq!(wrong(&schema("overlay-list"), &told), None, "{told:#}");
     let found = told["findings"][0]["place"].as_str();
     assert!(found.is_some_and(|place| place.starts_with("features[0]")), "{told}");
     let said = scene.ends(&["apply", feed.to_str().expect("a name"), "--tolerance", "500"], "", 2);

@@ -4,7 +4,7 @@ use super::query::QueryRunError;
 use super::query::command::usage_of;
 use super::query::earth::Earth;
 use super::query::kinds::{number, point_in};
-use super::query::output::{Format, Output};
+use super::query::output::{FormatArgs, Output};
 use super::query::row::Row;
 use crate::args::{Opening, lane_types, not_negative, vehicle};
 use crate::exit::Exit;
@@ -32,9 +32,8 @@ pub(crate) struct TraceCommand {
     source: String,
     #[command(flatten)]
     trace: TraceArgs,
-    /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Csv)]
-    format: Format,
+    #[command(flatten)]
+    format: FormatArgs,
     #[command(flatten)]
     opening: Opening,
 }
@@ -46,7 +45,7 @@ impl TraceCommand {
     pub(crate) fn run(self, out: &mut dyn Write) -> anyhow::Result<Exit> {
         let options = self.trace.options(lane_types(&self.trace.types)?);
         let Some(snapshot) = self.opening.open(&self.source)? else { return Ok(Exit::Rejected) };
-        let out = Output::new(self.format, out);
+        let out = Output::new(self.format.get(), out);
         answer(snapshot.map(), &options, io::stdin().lock(), out).map_err(usage_of)?;
         Ok(Exit::Done)
     }

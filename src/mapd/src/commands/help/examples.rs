@@ -47,7 +47,7 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
             ),
             (
                 "The way between two places, as JSON",
-                "printf 'from_road,from_s,from_lane,to_road,to_s,to_lane\\n1,38,-1,3,30,-1\\n' | mapd query town.xodr route --format json",
+                "printf 'from_road,from_s,from_lane,to_road,to_s,to_lane\\n1,38,-1,3,30,-1\\n' | mapd query town.xodr route --json",
             ),
         ],
     ),

@@ -1,6 +1,7 @@
 //! `mapd query` on the command line.
 
-use super::{Asking, Format, Kind, QueryRunError, RouteArgs, run_under};
+use super::output::FormatArgs;
+use super::{Asking, Kind, QueryRunError, RouteArgs, run_under};
 use crate::args::{Opening, lane_types, not_negative};
 use crate::clock::since_epoch;
 use crate::exit::{Exit, UsageError};
@@ -29,7 +30,8 @@ Columns:
                                    painted (1, or 0 in a gap) of the nearest road mark
   geodetic    x,y[,z]              lat,lon,alt
   from-geodetic  lat,lon[,alt]     x,y,z
-  track       road_id,x,y[,z]      s,t,h (h only with z)
+  track       road_id,x,y[,z]      s,t,h (h only with z),clamped (before or after, beyond an end of the road),
+                                   exact (1 if s,t,h is exactly the point)
   successors  road_id,s,lane_id    successors in driving direction, joined by ;
   route       from_road,from_s,from_lane,to_road,to_s,to_lane
                                    length,lane_changes,lanes (keys in driving order, joined by ;)
@@ -41,7 +43,7 @@ Columns:
   project     as route, and x,y[,hdg]
                                    S,d,heading_difference,lane,clamped of the nearest point of the driven line
   conflicts   as route             a row for each lane or crosswalk that meets the path: S_from,S_to,other_lane,other_s_from,other_s_to,
-                                   kind,yields,reason,wait_S
+                                   kind,yields,reason,wait_S,basis (what yields rests on: written, rule or unknown)
   speed       road_id,s,lane_id    speed,origin
   objects     x,y,radius           a row for each placement of an object, nearest first:
                                    id,class,distance,road_id,s,t,x,y,z,value
@@ -83,9 +85,8 @@ pub(crate) struct QueryCommand {
     heading_tolerance: Option<f64>,
     #[command(flatten)]
     route: RouteArgs,
-    /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Csv)]
-    format: Format,
+    #[command(flatten)]
+    format: FormatArgs,
     #[command(flatten)]
     opening: Opening,
 }
@@ -106,7 +107,7 @@ impl QueryCommand {
         let is_compiled = source::is_compiled(&self.source);
         let document = if is_compiled { "the document" } else { &*self.source };
         let asking =
-            Asking { document, options: &options, route: &self.route, format: self.format };
+            Asking { document, options: &options, route: &self.route, format: self.format.get() };
         let view = self.view(&snapshot)?;
         run_under(view, self.kind, asking, io::stdin().lock(), out).map_err(usage_of)?;
         Ok(Exit::Done)

@@ -1,6 +1,6 @@
 //! How answers are written: CSV, or one JSON array with an object for each row.
 
-use clap::ValueEnum;
+use clap::{Args, ValueEnum};
 use std::io::{self, Write};
 
 /// How answers are written.
@@ -11,6 +11,24 @@ pub enum Format {
     Csv,
     /// An array with an object for each answer: numbers as numbers, empty values as null.
     Json,
+}
+
+/// In which format a command writes its answers.
+#[derive(Args)]
+pub(in crate::commands) struct FormatArgs {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    format: Format,
+    /// Print JSON: as --format json
+    #[arg(long, conflicts_with = "format")]
+    json: bool,
+}
+
+impl FormatArgs {
+    /// The format that is wanted.
+    pub(in crate::commands) fn get(&self) -> Format {
+        if self.json { Format::Json } else { self.format }
+    }
 }
 
 /// Columns that hold numbers; what any other one holds is text, also where it looks like a number.
