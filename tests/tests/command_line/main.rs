@@ -22,6 +22,7 @@ mod progress;
 mod promises;
 mod readme;
 mod shell;
+mod terminal;
 mod tiles;
 mod tiles_page;
 mod units;

@@ -1,6 +1,6 @@
 //! What commands say about how far they are, and where: never on stdout, nothing at all if that is asked for.
 
-use mapd_tests::{say, town::town};
+use mapd_tests::{command::on_a_terminal, say, town::town};
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
@@ -116,24 +116,20 @@ fn a_bar_on_a_terminal() {
     let scene = Scene::new();
     // Large enough to be drawn while it is read.
     fs::write(scene.at("large.xodr"), town(20, 20)).expect("written");
-    let on_a_terminal = |command: &str| {
-        let mut script = Command::new("script");
-        script.args(["-qec", &format!("{MAPD} {command}"), "/dev/null"]).env("TERM", "xterm");
-        let output = script.current_dir(scene.0.path()).output().ok()?;
-        Some(String::from_utf8_lossy(&output.stdout).into_owned())
-    };
+    let shown_of =
+        |command: &str| on_a_terminal(&format!("{MAPD} {command}"), 80, scene.0.path(), &[]);
     for command in [
         "compile large.xodr",
         "compile large.xodr --max-memory 2GiB",
         "compile maps large.xodr --force",
         "check large.xodr",
     ] {
-        let Some(shown) = on_a_terminal(command) else {
+        let Some(shown) = shown_of(command) else {
             return say("SKIPPED: there is no program `script` that offers a terminal");
         };
         let has_bar = |shown: &str| [" roads [", " lanes ["].iter().any(|bar| shown.contains(bar));
         assert!(has_bar(&shown), "{command}: {shown:?}");
-        let quiet = on_a_terminal(&format!("{command} --quiet")).expect("as before");
+        let quiet = shown_of(&format!("{command} --quiet")).expect("as before");
         assert!(!has_bar(&quiet), "{command}: {quiet:?}");
     }
 }
