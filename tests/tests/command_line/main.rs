@@ -21,6 +21,7 @@ mod path_queries;
 mod progress;
 mod promises;
 mod readme;
+mod sentences;
 mod shell;
 mod terminal;
 mod tiles;

@@ -9,7 +9,7 @@ use mapd_compiler::{CompileOptions, Target};
 /// The frame that a map is compiled into.
 #[derive(Args)]
 pub(crate) struct FrameArgs {
-    /// Frame to transform x, y and z into: an EPSG code, PROJ parameters, `utm` (the zone of the map's centre) or
+    /// Frame for x, y and z: an EPSG code, PROJ parameters, `utm` (the zone of the map's centre) or
     /// enu:LAT,LON[,ALT] (east and north of that place); s and t stay as written [default: the file's own frame]
     #[arg(long, value_name = "CRS")]
     pub(crate) crs: Option<Target>,
