@@ -9,10 +9,13 @@
 //! its methods; traits that every type has by itself (`Send`, `From<T>` for T …) are left out.
 //!
 //! They are made from what `rustdoc` writes as JSON, which is unstable: rustdoc is told to act like a nightly one, and nothing else is, because
-//! cargo would build everything again with that variable. So this program starts itself as cargo's `rustdoc`.
+//! cargo would build everything again with that variable. So this program starts itself as cargo's `rustdoc`, in one run of `cargo doc` for the whole
+//! workspace: pages are made as ever, and must cause no warning; what is listed is described as JSON, too. Other selections of crates or features would
+//! have cargo build their dependencies again.
 
 use anyhow::{Context, Result, bail};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
@@ -36,12 +39,7 @@ const RUSTDOC: &str = "MAPD_PUBLIC_API_RUSTDOC";
 
 fn main() -> Result<ExitCode> {
     if let Some(rustdoc) = std::env::var_os(RUSTDOC) {
-        let status = Command::new(rustdoc)
-            .args(std::env::args_os().skip(1))
-            .env("RUSTC_BOOTSTRAP", "1")
-            .status()
-            .context("starting rustdoc")?;
-        return Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE });
+        return document(&rustdoc);
     }
     let check = match std::env::args().skip(1).collect::<Vec<_>>().as_slice() {
         [] => false,
@@ -76,21 +74,52 @@ fn main() -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Lets rustdoc describe all libraries; the folder with a JSON file for each.
+/// Stands in for rustdoc: makes the pages of a crate, and describes it as JSON beside them if its API is listed.
+fn document(rustdoc: &OsStr) -> Result<ExitCode> {
+    let args: Vec<OsString> = std::env::args_os().skip(1).collect();
+    let run = |command: &mut Command| -> Result<bool> {
+        Ok(command.args(&args).status().context("starting rustdoc")?.success())
+    };
+    let mut names = args.iter().skip_while(|arg| *arg != "--crate-name").skip(1);
+    let name = names.next().and_then(|name| name.to_str()).unwrap_or_default();
+    let is_listed = LIBRARIES.iter().any(|library| library.replace('-', "_") == name);
+    // Warnings are told by the first run.
+    let json = ["--cap-lints", "allow", "-Zunstable-options", "--output-format", "json"];
+    let mut described = Command::new(rustdoc);
+    described.args(json).env("RUSTC_BOOTSTRAP", "1");
+    let is_done = run(&mut Command::new(rustdoc))? && (!is_listed || run(&mut described)?);
+    Ok(if is_done { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// The libraries' features, each as `LIBRARY/FEATURE`.
+fn features(root: &Path) -> Result<String> {
+    #[derive(serde::Deserialize)]
+    struct Manifest {
+        #[serde(default)]
+        features: BTreeMap<String, toml::Value>,
+    }
+    let mut all = Vec::new();
+    for library in LIBRARIES {
+        let path = root.join("src").join(library.trim_start_matches("mapd-")).join("Cargo.toml");
+        let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string())?;
+        let manifest: Manifest = toml::from_str(&text)?;
+        all.extend(manifest.features.into_keys().map(|feature| format!("{library}/{feature}")));
+    }
+    Ok(all.join(","))
+}
+
+/// Lets rustdoc document the workspace; the folder with a JSON file for each library.
 fn describe(root: &Path) -> Result<PathBuf> {
     let this = std::env::current_exe().context("finding this program")?;
     let target = this.ancestors().nth(2).context("this program is not in a target folder")?;
     let rustdoc = std::env::var_os("RUSTDOC").unwrap_or_else(|| "rustdoc".into());
-    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command
+    let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
         .current_dir(root)
-        .args(["doc", "--quiet", "--no-deps", "--lib", "--all-features", "--target-dir"])
-        .arg(target);
-    for library in LIBRARIES {
-        command.args(["-p", library]);
-    }
-    let status = command
-        .env("RUSTDOCFLAGS", "-Zunstable-options --output-format json")
+        .args(["doc", "--quiet", "--workspace", "--no-deps", "--features", &features(root)?])
+        .arg("--target-dir")
+        .arg(target)
+        // A flag of its own, so that pages that were made without this program are made again, with JSON.
+        .env("RUSTDOCFLAGS", "-D warnings --cfg listed")
         .env(RUSTDOC, rustdoc)
         .env("RUSTDOC", &this)
         .status()
