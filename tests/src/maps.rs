@@ -41,6 +41,15 @@ pub fn carried_and(corpus: &[&str]) -> Vec<PathBuf> {
     maps
 }
 
+/// A file of the folder `found` of the shared material, such as `maps/Town04.xodr`, if it is there.
+pub fn found(name: &str) -> Option<PathBuf> {
+    let path = shared("found").map(|folder| folder.join(name)).filter(|path| path.is_file());
+    if path.is_none() {
+        say(&format!("SKIPPED in part: no {name} beside the workspace"));
+    }
+    path
+}
+
 /// Small numbers that look random, the same in every run (Marsaglia's xorshift).
 pub struct Random(pub u64);
 

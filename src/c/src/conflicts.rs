@@ -49,7 +49,8 @@ pub struct mapd_path_conflict {
     /// Who goes first in the map's own terms, a `MAPD_RELATION_…`: as `yields`, and where a rule of the road would have to say, what right-before-left
     /// and the rule of turns say.
     pub relation: u8,
-    /// 1: both come by equal roads, as far as the file says: of one type, with one speed limit, and no motorway.
+    /// 1: both come by equal roads, as far as the file says (of one type, with one speed limit, and no motorway), and neither joins a road on which the
+    /// other goes straight on, as a ramp does.
     pub equal_roads: u8,
 }
 

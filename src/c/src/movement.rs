@@ -23,7 +23,7 @@ pub const MAPD_TURN_BACK: u8 = 8;
 
 /// `basis` of a right of way: the file says so, by signs, lights or `junction/priority`.
 pub const MAPD_BASIS_WRITTEN: u8 = 0;
-/// `basis` of a right of way: it is what a rule of the road would say; whether that holds there, the file does not say.
+/// `basis` of a right of way: a rule of the road says so, of a country that the caller names.
 pub const MAPD_BASIS_RULE: u8 = 1;
 /// `basis` of a right of way: nothing decides.
 pub const MAPD_BASIS_UNKNOWN: u8 = 2;
@@ -36,7 +36,7 @@ pub struct mapd_right_of_way {
     pub other: mapd_lane_id,
     /// Who goes first: a `MAPD_RELATION_…`.
     pub relation: u8,
-    /// Why: a `MAPD_RELATION_REASON_…`.
+    /// Why: a `MAPD_RELATION_REASON_…`; where nothing is written, which rule of the road would have to say.
     pub reason: u8,
     /// What that rests on: a `MAPD_BASIS_…`.
     pub basis: u8,
@@ -196,7 +196,7 @@ pub unsafe extern "C" fn mapd_lane_lines(
     }
 }
 
-/// Who goes first where this lane of a junction meets others.
+/// Who goes first where this lane of a junction meets others, by what the file says: unknown where a rule of the road would have to say.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_lane_right_of_way(
     snapshot: *const mapd_snapshot,
@@ -230,14 +230,10 @@ pub unsafe extern "C" fn mapd_lane_right_of_way_by(
         answer(error, || {
             let lane = lane_of(snapshot, lane)?;
             let Some(rules) = rules_of(country)? else { return Ok(mapd_code::NONE) };
-            let of = |one: RightOfWay<'_>| {
-                let relation = one.relation_by(rules);
-                let basis = if relation.is_some() { one.basis() } else { Basis::Unknown };
-                mapd_right_of_way {
-                    relation: relation.unwrap_or(Relation::Unknown).code(),
-                    basis: basis_code(basis),
-                    ..right_of_way(&one)
-                }
+            let of = |one: RightOfWay<'_>| mapd_right_of_way {
+                relation: one.relation_by(rules).unwrap_or(Relation::Unknown).code(),
+                basis: basis_code(one.basis_by(rules)),
+                ..right_of_way(&one)
             };
             List { out, capacity, count }.write(lane.right_of_way().map(of))
         })

@@ -7,7 +7,7 @@ use mapd_client::batch::Places;
 use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::route::PositionOnLane;
-use mapd_client::vocabulary::{LaneType, VehicleClass};
+use mapd_client::vocabulary::{LaneType, RoadRules, VehicleClass};
 use mapd_client::{LaneKey, LaneTypes, Map, Point, QueryError, Region};
 use numpy::{PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -288,6 +288,16 @@ pub(crate) fn vehicle_of(name: &str) -> PyResult<VehicleClass> {
         }
         known => Ok(known),
     }
+}
+
+/// A country's rules of the road by its two letters; none where no country is named.
+pub(crate) fn rules_of(country: Option<&str>) -> PyResult<Option<&'static RoadRules>> {
+    let Some(country) = country else { return Ok(None) };
+    let rules = RoadRules::of(country).map(Some);
+    rules.ok_or_else(|| {
+        let known: Vec<_> = RoadRules::ALL.iter().map(|rules| rules.country).collect();
+        PyValueError::new_err(format!("expected one of {known:?}, found {country:?}"))
+    })
 }
 
 pub(crate) fn triple(p: DVec3) -> (f64, f64, f64) {

@@ -3,10 +3,12 @@
 use crate::batch::{Column, Speeds, answer, clamped_code, columns, fields, result, speed_rule};
 use crate::errors::{query, raise};
 use crate::held::{Held, content, id};
-use crate::input::{Rows, finite, lane_of, one_point, vehicle_of};
+use crate::input::{Rows, finite, lane_of, one_point, rules_of, vehicle_of};
 use crate::lane::Lane;
 use mapd_client::QueryError;
-use mapd_client::path::{Corridor, PathBuffer, PathConflict, PathOptions, PathPoint, PathPosition};
+use mapd_client::path::{
+    Corridor, PathBuffer, PathConflict, PathOptions, PathPoint, PathPosition, YieldsBy,
+};
 use mapd_client::route::{Enter, PositionOnLane, RouteStep};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -365,11 +367,21 @@ impl Path {
         crate::along::rebase(py, &path, map.get().held(), vehicle_of(vehicle)?, &cost)
     }
 
-    /// Where other traffic meets it, in ascending S.
-    fn conflicts<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    /// Where other traffic meets it, in ascending S. Who yields is what the file says; where that says nothing, what the rules of a `country` say ("DE"), if it is named.
+    #[pyo3(signature = (country = None))]
+    fn conflicts<'py>(
+        &self,
+        py: Python<'py>,
+        country: Option<&str>,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let rules = rules_of(country)?;
         let mut found = Vec::new();
         self.path().map_err(query)?.conflicts(&mut found);
         let one = |conflict: &PathConflict| {
+            let YieldsBy { yields, basis } = match rules {
+                Some(rules) => conflict.yields_by(rules),
+                None => YieldsBy { yields: conflict.yields, basis: conflict.basis() },
+            };
             let fields = fields!(
                 py,
                 start = conflict.along[0],
@@ -378,8 +390,9 @@ impl Path {
                 other_start = conflict.other_s[0],
                 other_end = conflict.other_s[1],
                 kind = conflict.kind.name(),
-                yields = conflict.yields.name(),
+                yields = yields.name(),
                 reason = conflict.reason.name(),
+                basis = basis.name(),
                 wait = conflict.wait,
             );
             result(py, "PathConflict", &fields)

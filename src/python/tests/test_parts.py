@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import pytest
 from test_answers import CLASSES, NOTHING, Asked, bits, clamped, columns_of, lane, lanes, number, text
 from test_answers import asked as asked  # a fixture
 from test_ways import TURNS
@@ -80,12 +81,19 @@ def test_movement(asked: Asked) -> None:
             other, relation, reason = some(numbers, 3)
             assert lane(one.other) == other
             assert code("relation", one.relation) == relation and code("relation_reason", one.reason) == reason
+        assert all(one.basis != "rule" for one in ways)
+        by_rule = [one for one in own.right_of_way("DE") if one.basis == "rule"]
+        assert all(one.relation in ("yields", "priority", "open") for one in by_rule)
+        written = [one.relation for one in ways if one.basis == "written"]
+        assert written == [one.relation for one in own.right_of_way("DE") if one.basis == "written"]
+        with pytest.raises(ValueError, match="XX"):
+            own.right_of_way("XX")
         lights = own.movement_lights()
         assert len(lights) == next(numbers)
         assert lights == [one.signal for one in own.movement_lights_on()]
         on = [part for one in own.movement_lights_on() for part in (number(one.signal), one.lane.id)]
         assert on == list(numbers)
-        given_way = [one.other for one in ways if one.relation == "yields" and one.basis == "written"]
+        given_way = [one.other for one in ways if one.relation == "yields"]
         assert {one.id for one in own.yields_to()} <= {one.id for one in given_way if one is not None}
 
 

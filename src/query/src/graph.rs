@@ -5,6 +5,7 @@ use crate::extents::{SRange, SourcePosition};
 use crate::ids::NodeId;
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
+use crate::rules::Basis;
 use mapd_archive::{
     ArchivedConflictRow, ArchivedLaneNodeRow, ArchivedPieceRow, ConflictKind, EdgeKind, NONE,
     Relation, RelationReason, VehicleClass, beside_row, edge_flags, node_flags, section_step,
@@ -241,12 +242,23 @@ impl<'a> Conflict<'a> {
         ConflictKind::from_code(self.row.kind())
     }
 
-    /// Who goes first, as far as the map's compiler could tell; [`Relation::Unknown`] where no rule of junctions applies.
+    /// Who goes first, by what the file says; [`Relation::Unknown`] where a rule of the road would have to say
+    /// ([`RightOfWay::relation_by`](crate::rules::RightOfWay::relation_by)), and where no rule of junctions applies.
     pub fn relation(&self) -> Relation {
+        Basis::written(self.row)
+    }
+
+    /// What that rests on: [`Basis::Written`] or [`Basis::Unknown`].
+    pub fn basis(&self) -> Basis {
+        Basis::without_rules(self.reason())
+    }
+
+    /// Who goes first as it is stored, by what right-before-left and the rule of turns would say too.
+    pub(crate) fn stored_relation(&self) -> Relation {
         Relation::from_code(self.row.relation())
     }
 
-    /// Why.
+    /// Why; where nothing is written, which rule of the road would have to say.
     pub fn reason(&self) -> RelationReason {
         RelationReason::from_code(self.row.reason())
     }

@@ -44,6 +44,7 @@ mod polylines;
 mod reach;
 mod reference;
 mod regions;
+mod right_of_way;
 mod right_road;
 mod road_marks;
 mod round_trips;

@@ -1,9 +1,10 @@
 //! What lies along a path: lanes that reach the goal, speed limits, signals, lines, junctions.
 
+use crate::path_meets::lane_by;
 use crate::paths::each_path;
+use mapd_client::Map;
 use mapd_client::route::{PositionOnLane, RouteScratch, ShortestLength};
 use mapd_client::vocabulary::{Relation, RelationReason, VehicleClass};
-use mapd_client::{Lane, Map};
 use mapd_query::path::{
     PathBuffer, PathChange, PathChangeKind, PathError, PathFactKind, PathOptions, PathSegment,
     PathSpeed, Yields, YieldsBy, steps_of_lanes,
@@ -17,10 +18,6 @@ use mapd_tests::maps::open_text;
 
 const CAR: VehicleClass = VehicleClass::PassengerCar;
 const KMH: f64 = 1.0 / 3.6;
-
-fn lane_by<'a>(map: Map<'a>, key: &str) -> Lane<'a> {
-    map.lane_by_key(&key.parse().expect("a key")).unwrap_or_else(|| panic!("no lane {key}"))
-}
 
 /// The route from a place to another as a path, and what a test asks of it.
 fn along(
@@ -284,7 +281,8 @@ fn who_yields_by_rule_is_for_the_caller_to_say() {
         let other =
             own.right_of_way().find(|one| one.other().is_some_and(|lane| lane.road().id() == "13"));
         let other = other.expect("they cross");
-        assert_eq!((other.basis(), other.reason()), (Basis::Rule, RelationReason::FromTheRight));
+        assert_eq!((other.basis(), other.relation()), (Basis::Unknown, Relation::Unknown));
+        assert_eq!(other.reason(), RelationReason::FromTheRight);
         let found = ["DE", "JP", "GB"].map(|country| other.relation_by(rules(country)));
         assert_eq!(found, expected, "{kind}");
     };

@@ -15,7 +15,7 @@ const CAR: VehicleClass = VehicleClass::PassengerCar;
 /// How far back lanes are followed `[m]`.
 const BACK: f64 = 120.0;
 
-fn lane_by<'a>(map: Map<'a>, key: &str) -> Lane<'a> {
+pub(crate) fn lane_by<'a>(map: Map<'a>, key: &str) -> Lane<'a> {
     map.lane_by_key(&key.parse().expect("a key")).unwrap_or_else(|| panic!("no lane {key}"))
 }
 

@@ -4,10 +4,9 @@ use mapd_compiler::{CompileOptions, compile};
 use mapd_query::Map;
 use mapd_query::vocabulary::LaneMethod;
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
-use mapd_tests::maps::{open, open_text};
+use mapd_tests::maps::{found, open, open_text};
 use mapd_tests::object_maps;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 
 use LaneMethod::{Orientation, OrientationGuess, Validity};
 
@@ -110,14 +109,6 @@ fn objects_are_never_for_a_lane_by_orientation_alone() {
         let lanes = object.lanes().map(|at| (at.lane().expect("a lane").number(), at.method()));
         assert_eq!(lanes.collect::<Vec<_>>(), expected, "{objects}");
     }
-}
-
-fn found(name: &str) -> Option<PathBuf> {
-    let folder = mapd_tests::shared("found");
-    if folder.is_none() {
-        mapd_tests::say("SKIPPED: no shared maps beside the workspace");
-    }
-    Some(folder?.join(name)).filter(|path| path.exists())
 }
 
 #[test]

@@ -732,8 +732,11 @@ class Lane:
         """Lanes from which the junction is entered on the way through this one."""
     def movement_lanes(self) -> list[Lane]:
         """Lanes of the junction that the movement through this one goes over, first to last; itself where it is in no junction."""
-    def right_of_way(self) -> list[RightOfWay]:
-        """Who goes first where this lane of a junction meets others."""
+    def right_of_way(self, country: str | None = None) -> list[RightOfWay]:
+        """Who goes first where this lane of a junction meets others, by what the file says; where that says nothing, by the rules of a `country` ("DE"), if it is named.
+
+        That these hold there is for the caller to know.
+        """
     def yields_to(self) -> list[Lane]:
         """Lanes to which this lane of a junction gives way by what the file says; such as are closed to every vehicle are left out."""
     def traffic_lights(self) -> list[Signal]:
@@ -1002,8 +1005,8 @@ class Path:
         out: Corridor | None = None,
     ) -> Corridor:
         """The room along the path, a station every `step` [m] from `start` [m] on, `length` [m] far."""
-    def conflicts(self) -> list[PathConflict]:
-        """Where other traffic meets it, in ascending S."""
+    def conflicts(self, country: str | None = None) -> list[PathConflict]:
+        """Where other traffic meets it, in ascending S. Who yields is what the file says; where that says nothing, what the rules of a `country` say ("DE"), if it is named."""
     def corridor_surface(
         self, step: float = 1.0, *, start: float = 0.0, length: float | None = None, out: CorridorSurface | None = None
     ) -> CorridorSurface:

@@ -160,9 +160,9 @@ class RightOfWay(NamedTuple):
     relation: str
     """What this lane's traffic does: "yields", "priority", ... (docs/signals.md)."""
     reason: str
-    """What says so."""
+    """What says so; where nothing is written, which rule of the road would have to."""
     basis: Literal["written", "rule", "unknown"]
-    """Whether the file says so, or a rule of the road would."""
+    """Whether the file says so, or the rules of the country that is named."""
 
 
 class Connection(NamedTuple):
@@ -317,6 +317,8 @@ class LaneConflict(NamedTuple):
     relation: str
     """Who goes first; as of :class:`RightOfWay`."""
     reason: str
+    basis: Literal["written", "unknown"]
+    """Whether the file says so."""
     s_from: float
     s_to: float
     """The common place on the lane's road [m], the smaller s first."""
@@ -544,8 +546,10 @@ class PathConflict(NamedTuple):
     """The common place on the other lane's road [m], the smaller s first."""
     kind: str
     yields: Literal["yields", "priority", "lights", "open", "unknown"]
-    """Who has priority, according to the file."""
+    """Who has priority, according to the file, else to the rules of the country that is named."""
     reason: str
+    basis: Literal["written", "rule", "unknown"]
+    """What that rests on."""
     wait: float
     """S at which to wait [m]."""
 

@@ -81,6 +81,7 @@ impl Lane {
                 kind = one.kind().name(),
                 relation = one.relation().name(),
                 reason = one.reason().name(),
+                basis = one.basis().name(),
                 s_from = own.low,
                 s_to = own.high,
                 other_from = other.low,

@@ -3,9 +3,11 @@
 use super::Lane;
 use crate::along::{line, turn_name};
 use crate::batch::{fields, result};
+use crate::input::rules_of;
 use crate::signal::Signal;
 use mapd_client::rules::LaneLine;
 use mapd_client::signals::LaneSignal;
+use mapd_client::vocabulary::Relation;
 use pyo3::prelude::*;
 
 impl Lane {
@@ -40,15 +42,29 @@ impl Lane {
         Ok(self.others(self.lane()?.movement_lanes().map(|lane| lane.lane_id())))
     }
 
-    /// Who goes first where this lane of a junction meets others.
-    fn right_of_way<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    /// Who goes first where this lane of a junction meets others, by what the file says; where that says nothing, by the rules of a `country` ("DE"), if it is named.
+    ///
+    /// That these hold there is for the caller to know.
+    #[pyo3(signature = (country = None))]
+    fn right_of_way<'py>(
+        &self,
+        py: Python<'py>,
+        country: Option<&str>,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let rules = rules_of(country)?;
         let ways = self.lane()?.right_of_way().map(|one| {
+            let (relation, basis) = match rules {
+                Some(rules) => {
+                    (one.relation_by(rules).unwrap_or(Relation::Unknown), one.basis_by(rules))
+                }
+                None => (one.relation(), one.basis()),
+            };
             let fields = fields!(
                 py,
                 other = self.other(one.other()),
-                relation = one.relation().name(),
+                relation = relation.name(),
                 reason = one.reason().name(),
-                basis = one.basis().name(),
+                basis = basis.name(),
             );
             result(py, "RightOfWay", &fields)
         });

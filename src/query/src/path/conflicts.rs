@@ -75,7 +75,8 @@ pub struct PathConflict {
     /// Who goes first in the map's own terms: as `yields`, and where a rule of the road would have to say, what right-before-left and the
     /// rule of turns say.
     pub relation: Relation,
-    /// Whether both come by equal roads, as far as the file says: of one type, with one speed limit, and no motorway.
+    /// Whether both come by equal roads, as far as the file says (of one type, with one speed limit, and no motorway), and neither joins a road on
+    /// which the other goes straight on, as a ramp does. The rule of the side holds among such alone.
     pub equal_roads: bool,
     /// S at which to wait `[m]`: the line to stop at on the path, outside junctions up to 30 m before, else the last place before the common
     /// one.
@@ -92,6 +93,11 @@ pub struct YieldsBy {
 }
 
 impl PathConflict {
+    /// What `yields` rests on: [`Basis::Written`] or [`Basis::Unknown`].
+    pub fn basis(&self) -> Basis {
+        Basis::without_rules(self.reason)
+    }
+
     /// Who goes first by what the file says, else by a country's rules ([`RoadRules::of`]), and what that rests on.
     pub fn yields_by(&self, rules: &RoadRules) -> YieldsBy {
         let (yields, basis) = match Basis::of(self.reason) {
@@ -124,7 +130,7 @@ impl Path<'_, '_> {
                 }
                 let Some(along) = self.common(piece, &conflict) else { continue };
                 let line = stop.and_then(|line| self.along_before(line.lane, line.s, along[0]));
-                let (relation, reason) = (conflict.relation(), conflict.reason());
+                let (relation, reason) = (conflict.stored_relation(), conflict.reason());
                 let SRange { low: from, high: to } = conflict.other_range();
                 out.push(PathConflict {
                     along,

@@ -58,10 +58,10 @@ pub struct RightOfWay<'a> {
 pub enum Basis {
     /// The file says so: signs, lights, `junction/priority`.
     Written,
-    /// It is what a rule of the road would say (turning traffic gives way, right before left). Whether that rule holds there, the file
-    /// does not say: such rules differ between countries and between kinds of roads.
+    /// It is what a rule of the road says (turning traffic gives way, right before left). Whether that rule holds there, the file
+    /// does not say: such rules differ between countries and between kinds of roads, so it is an answer only where the caller names the country.
     Rule,
-    /// Nothing decides.
+    /// Nothing decides, or a rule of the road would have to and no country is named.
     Unknown,
 }
 
@@ -83,6 +83,22 @@ impl Basis {
             _ => Self::Written,
         }
     }
+
+    /// Who goes first at a stored conflict, unless only a rule of the road says so.
+    pub(crate) fn written(row: &ArchivedConflictRow) -> Relation {
+        match Self::of(RelationReason::from_code(row.reason())) {
+            Self::Rule => Relation::Unknown,
+            _ => Relation::from_code(row.relation()),
+        }
+    }
+
+    /// What an answer rests on where no country is named.
+    pub(crate) fn without_rules(reason: RelationReason) -> Self {
+        match Self::of(reason) {
+            Self::Rule => Self::Unknown,
+            basis => basis,
+        }
+    }
 }
 
 impl<'a> RightOfWay<'a> {
@@ -91,31 +107,41 @@ impl<'a> RightOfWay<'a> {
         Lane::new(self.map, self.row.other())
     }
 
-    /// Who goes first.
+    /// Who goes first by what the file says: [`Relation::Unknown`] where a rule of the road would have to say, which [`Self::relation_by`] asks, and
+    /// [`Relation::Open`] where none would.
     pub fn relation(&self) -> Relation {
-        Relation::from_code(self.row.relation())
+        Basis::written(self.row)
     }
 
     /// Who goes first by what the file says, else by a country's rules; none where neither says. The side from which the other comes
-    /// counts only where both come by equal roads, as far as the file says: of one type, with one speed limit, and no motorway.
+    /// counts only where both come by equal roads, as far as the file says: of one type, with one speed limit, and no motorway; and not
+    /// where one goes straight on along a road that the other joins from one of fewer lanes, as a ramp does.
     pub fn relation_by(&self, rules: &RoadRules) -> Option<Relation> {
-        match self.basis() {
-            Basis::Written => Some(self.relation()),
+        let (stored, reason) = (Relation::from_code(self.row.relation()), self.reason());
+        match Basis::of(reason) {
+            Basis::Written => Some(stored),
             Basis::Unknown => None,
             Basis::Rule => {
                 let own = Lane::new(self.map, self.row.lane())?;
-                let alike = own.comes_by_equal_road(&self.other()?);
-                by_rules(rules, self.relation(), self.reason(), alike)
+                by_rules(rules, stored, reason, own.comes_by_equal_road(&self.other()?))
             }
         }
     }
 
-    /// What that rests on.
+    /// What [`Self::relation`] rests on: [`Basis::Written`] or [`Basis::Unknown`].
     pub fn basis(&self) -> Basis {
-        Basis::of(self.reason())
+        Basis::without_rules(self.reason())
     }
 
-    /// Why.
+    /// What [`Self::relation_by`] rests on.
+    pub fn basis_by(&self, rules: &RoadRules) -> Basis {
+        match Basis::of(self.reason()) {
+            Basis::Rule if self.relation_by(rules).is_none() => Basis::Unknown,
+            basis => basis,
+        }
+    }
+
+    /// Why; where nothing is written, which rule of the road would have to say.
     pub fn reason(&self) -> RelationReason {
         RelationReason::from_code(self.row.reason())
     }
@@ -318,7 +344,7 @@ impl<'a> Lane<'a> {
         lines.min_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs())).map(|one| one.signal)
     }
 
-    /// Who goes first where this lane of a junction meets others.
+    /// Who goes first where this lane of a junction meets others, by what the file says; [`RightOfWay::relation_by`] asks a country's rules too.
     pub fn right_of_way(&self) -> impl Iterator<Item = RightOfWay<'a>> + use<'a> {
         let (map, own) = (self.map, self.row_number());
         let rows = map.tables().conflicts;
@@ -330,11 +356,9 @@ impl<'a> Lane<'a> {
     }
 
     /// Lanes to which this lane of a junction gives way by what the file says, with the reason; such as are closed to every vehicle
-    /// are left out. What only a rule of the road would say is among [`Lane::right_of_way`], with [`Basis::Rule`].
+    /// are left out. What a country's rules say where nothing is written is [`RightOfWay::relation_by`].
     pub fn yields_to(&self) -> impl Iterator<Item = YieldsTo<'a>> + use<'a> {
-        let yields = self
-            .right_of_way()
-            .filter(|one| one.relation() == Relation::Yields && one.basis() == Basis::Written);
+        let yields = self.right_of_way().filter(|one| one.relation() == Relation::Yields);
         let all =
             yields.filter_map(|one| Some(YieldsTo { lane: one.other()?, reason: one.reason() }));
         all.filter(|one| one.lane.nodes().any(|node| node.is_open()))

@@ -127,7 +127,7 @@ fn traffic(lane: &Lane<'_>, sheet: &mut Sheet) {
     let rights = lane.right_of_way().filter_map(|right| {
         let basis = match right.basis() {
             Basis::Written => "the file says so",
-            Basis::Rule => "a rule of the road would say so",
+            _ if Basis::of(right.reason()) == Basis::Rule => "a rule of the road would have to say",
             _ => "nothing decides",
         };
         let words = format!(" {}, {}: {basis}", right.relation().name(), right.reason().name());

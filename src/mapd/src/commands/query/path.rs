@@ -170,10 +170,7 @@ fn conflicts(
         out.push(one.kind.name().to_owned());
         let YieldsBy { yields, basis } = match rules {
             Some(rules) => one.yields_by(rules),
-            None if Basis::of(one.reason) == Basis::Rule => {
-                YieldsBy { yields: one.yields, basis: Basis::Unknown }
-            }
-            None => YieldsBy { yields: one.yields, basis: Basis::of(one.reason) },
+            None => YieldsBy { yields: one.yields, basis: one.basis() },
         };
         out.push(yields.name().to_owned());
         out.push(one.reason.name().to_owned());
