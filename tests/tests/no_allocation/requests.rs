@@ -9,10 +9,12 @@ use mapd_client::route::{
     AlternativeOptions, PositionOnLane, Reach, RouteEnd, RouteRequest, RouteScratch, Routes,
     ShortestTime, WithTurns,
 };
-use mapd_client::vocabulary::VehicleClass;
+use mapd_client::vocabulary::{ConflictKind, VehicleClass};
 use mapd_query::path::{
-    Corridor, CorridorEdges, LaneChange, PathBuffer, PathOptions, PathPositions,
+    Corridor, CorridorEdges, LaneChange, PathBuffer, PathOptions, PathPositions, steps_of_lanes,
 };
+use mapd_tests::graph_maps::{Line, document, lane, link, road, section};
+use std::f64::consts::FRAC_PI_2;
 
 /// A search's buffers grow once, whatever is asked of it.
 #[test]
@@ -97,12 +99,41 @@ fn paths_do_not_allocate_after_the_first_call() {
             path.speeds(&mut speeds);
             path.steps_between(&steps, [0.0, at.along], &mut part).expect("steps");
             seen += segments.len() + facts.len() + speeds.len() + part.len();
+            let time = path.travel_time([0.0, at.along]).expect("a time");
+            seen += usize::from(time.time + time.unlimited > 0.0);
             let speed = path.speed_at(at.along).is_some();
             seen += room.len() + conflicts.len() + usize::from(speed) + path.joints().len();
         }
         seen
     };
     settles("paths", 100, || [round()]);
+}
+
+/// Two roads cross without a junction, and one lane of a third joins: what the carried town has none of.
+#[test]
+fn overlaps_and_merges_do_not_allocate_after_the_first_call() {
+    let plain = "junction=\"-1\"";
+    let own = |links: &str| section(0.0, "", &lane(-1, links));
+    let main =
+        road("1", plain, Line(0.0, 0.0, 0.0, 100.0, 0.0), &link("s road 2 start"), &own("s-1"));
+    let next =
+        road("2", plain, Line(100.0, 0.0, 0.0, 50.0, 0.0), &link("p road 1 end"), &own("p-1"));
+    let across = road("3", plain, Line(50.0, -50.0, FRAC_PI_2, 100.0, 0.0), "", &own(""));
+    let joins =
+        road("4", plain, Line(0.5, -9.98, 0.1, 100.0, 0.0), &link("s road 2 start"), &own("s-1"));
+    let snapshot = mapd_tests::maps::open_text(&document(&(main + &next + &across + &joins)));
+    let map = snapshot.map();
+    let id = |key: &str| map.lane_by_key(&key.parse().expect("a key")).expect("a lane").lane_id();
+    let lanes = [id("1:0:-1"), id("2:0:-1")];
+    let (mut steps, mut buffer, mut found) = (Vec::new(), PathBuffer::default(), Vec::new());
+    let mut round = || {
+        steps_of_lanes(map, &lanes, [5.0, 40.0], &mut steps).expect("steps");
+        let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+        path.conflicts(&mut found);
+        let of = |kind: ConflictKind| found.iter().filter(|one| one.kind == kind).count();
+        [of(ConflictKind::Overlap), of(ConflictKind::Merge)]
+    };
+    settles("overlaps", 0, &mut round);
 }
 
 /// A tracker takes all its memory when it is made; batches grow once.

@@ -6,8 +6,8 @@ use mapd_client::Map;
 use mapd_client::route::{PositionOnLane, RouteScratch, ShortestLength};
 use mapd_client::vocabulary::{Relation, RelationReason, VehicleClass};
 use mapd_query::path::{
-    PathBuffer, PathChange, PathChangeKind, PathError, PathFactKind, PathOptions, PathSegment,
-    PathSpeed, Yields, YieldsBy, steps_of_lanes,
+    PathBuffer, PathError, PathFactKind, PathOptions, PathSegment, PathSpeed, Yields, YieldsBy,
+    steps_of_lanes,
 };
 use mapd_query::rules::{Basis, SpeedOrigin};
 use mapd_query::signals::SignalsAhead;
@@ -308,61 +308,4 @@ fn who_yields_by_rule_is_for_the_caller_to_say() {
         }
         assert!(found.iter().any(|one| one.yields_by(rules("DE")).yields == Yields::Yields));
     });
-}
-
-/// On the map that it is of, nothing of a path changes.
-#[test]
-fn a_path_on_its_own_map_is_the_same() {
-    each_path(|map, path, _, name, _| {
-        let (mut scratch, mut steps, mut changes) =
-            (RouteScratch::default(), Vec::new(), Vec::new());
-        let cost = ShortestLength::default();
-        let found = path.rebase(map, CAR, &cost, &mut scratch, &mut steps, &mut changes);
-        // A start may lie on a lane that is closed to the vehicle.
-        let is_open = |own: &mapd_query::path::PathLane| {
-            let lane = map.lane(own.lane).expect("a lane");
-            own.s.iter().all(|s| lane.node_at(*s, own.forward).is_some_and(|n| n.allows(CAR)))
-        };
-        if !path.lanes().all(|own| is_open(&own)) {
-            return;
-        }
-        assert_eq!(changes, [], "{name}");
-        let mut buffer = PathBuffer::default();
-        found.expect("an answer").unwrap_or_else(|| panic!("{name}: no way"));
-        let own = map.path(&steps, &PathOptions::default(), &mut buffer);
-        let own = own.unwrap_or_else(|error| panic!("{name}: {error}: {steps:?}"));
-        // Changes of lane may lie elsewhere on their stretch.
-        let off = (own.length() - path.length()).abs();
-        assert!(off < 0.05 * path.length() + 5.0, "{name}: {off} of {}", path.length());
-    });
-}
-
-/// A road of another id in the old one's place, one that has moved, and none at all.
-#[test]
-fn a_path_is_found_again_by_key_then_by_place() {
-    let text = |id: &str, y: f64| {
-        let line = Line(0.0, y, 0.0, 100.0, 0.0);
-        document(&road(id, "junction=\"-1\"", line, "", &section(0.0, "", &lane(-1, ""))))
-    };
-    let (old, mut steps, mut buffer) =
-        (open_text(&text("1", 0.0)), Vec::new(), PathBuffer::default());
-    let lane = lane_by(old.map(), "1:0:-1").lane_id();
-    steps_of_lanes(old.map(), &[lane], [10.0, 90.0], &mut steps).expect("steps");
-    let path = old.map().path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
-    let check = |text: &str, expected: Option<PathChangeKind>, length: Option<f64>| {
-        let new = open_text(text);
-        let (mut scratch, mut steps, mut changes) =
-            (RouteScratch::default(), Vec::new(), Vec::new());
-        let cost = ShortestLength::default();
-        let found = path.rebase(new.map(), CAR, &cost, &mut scratch, &mut steps, &mut changes);
-        assert_eq!(found.expect("an answer").map(|route| route.length), length);
-        let kinds: Vec<PathChange> = changes;
-        let expected = expected.map(|kind| PathChange { along: [0.0, 80.0], kind });
-        assert_eq!(kinds, expected.into_iter().collect::<Vec<_>>());
-        assert_eq!(steps.len(), usize::from(length.is_some()), "{steps:?}");
-    };
-    check(&text("1", 0.0), None, Some(80.0));
-    check(&text("1", 0.5), Some(PathChangeKind::Moved(0.5)), Some(80.0));
-    check(&text("7", 0.0), Some(PathChangeKind::Replaced(0.0)), Some(80.0));
-    check(&text("1", 40.0), Some(PathChangeKind::Gone), None);
 }

@@ -9,6 +9,7 @@ use mapd_query::vocabulary::RoadRules;
 use mapd_tests::crossroads::{ARMS, crossroads, furnished, signal};
 use mapd_tests::graph_maps::{Line, document, lane, link, road, section, wide};
 use mapd_tests::maps::open_text;
+use std::cell::Cell;
 use std::f64::consts::FRAC_PI_2;
 
 const CAR: VehicleClass = VehicleClass::PassengerCar;
@@ -250,6 +251,8 @@ fn a_sign_without_marking_is_waited_at() {
 fn lanes_of_other_roads_that_hold_the_line_are_all_told() {
     let options =
         NearestOptions { radius: 0.0, z_tolerance: Some(2.0), ..NearestOptions::default() };
+    // Places that another lane holds, and overlaps that are looked at again.
+    let (places, overlaps) = (Cell::new(0), Cell::new(0));
     each_path(|map, path, _, name, _| {
         let (mut conflicts, mut held) = (Vec::new(), Vec::new());
         path.conflicts(&mut conflicts);
@@ -280,6 +283,7 @@ fn lanes_of_other_roads_that_hold_the_line_are_all_told() {
                         && along <= one.along[1] + 2.0
                 });
                 assert!(same || told, "{name}: {} at {along}", other.key());
+                places.set(places.get() + usize::from(!same));
             }
         }
         for one in conflicts.iter().filter(|one| one.kind == ConflictKind::Overlap) {
@@ -297,6 +301,9 @@ fn lanes_of_other_roads_that_hold_the_line_are_all_told() {
                 position.expect("a position").distance
             });
             assert!(near.fold(f64::INFINITY, f64::min) < 1.5, "{name}: {one:?}");
+            overlaps.set(overlaps.get() + 1);
         }
     });
+    let seen = [places.get(), overlaps.get()];
+    assert!(seen[0] > 0 && seen[1] > 0 || mapd_tests::shared("maps").is_none(), "{seen:?}");
 }

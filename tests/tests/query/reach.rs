@@ -10,8 +10,9 @@ use mapd_query::route::{
 };
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
-use mapd_tests::maps::{carried_and, open};
+use mapd_tests::maps::{carried_and, found, open};
 use mapd_tests::{carried, shared};
+use std::collections::BTreeSet;
 use std::time::SystemTime;
 
 const CAR: VehicleClass = VehicleClass::PassengerCar;
@@ -257,4 +258,40 @@ fn the_network_of_a_town_is_whole() {
         truncated += usize::from(sequences.truncated);
     }
     assert!(most > 100 && truncated > 0, "{most} nodes, {truncated} lists that end");
+}
+
+/// Six hundred metres ahead on Town04: where the list of sequences is whole, its lanes are those of the network; where it ends, it says so.
+#[test]
+fn sequences_of_town04_are_whole_or_say_that_they_end() {
+    let Some(town) = found("maps/Town04.xodr") else { return };
+    const AHEAD: f64 = 600.0;
+    let snapshot = open(&town);
+    let map = snapshot.map();
+    let (mut scratch, mut network) = (RouteScratch::default(), Reach::default());
+    let mut sequences = LaneSequences::default();
+    let (mut whole, mut truncated, mut most) = (0, 0, 0);
+    for (from, _) in places(map, CAR, 400) {
+        map.lane_sequences_ahead(from, AHEAD, CAR, &mut sequences).expect("an answer");
+        let starts = [RouteEnd::from(from)];
+        let cost = ON_ITS_LANE;
+        let goals = [];
+        let request =
+            RouteRequest { starts: &starts, goals: &goals, vehicle: CAR, cost: &cost, avoid: &[] };
+        map.reach(&request, AHEAD, &mut scratch, &mut network).expect("an answer");
+        let lanes = |ids: &mut dyn Iterator<Item = LaneId>| ids.collect::<BTreeSet<_>>();
+        let ahead = lanes(&mut network.reached().iter().map(|own| own.lane));
+        let listed = lanes(&mut sequences.iter().flatten().copied());
+        let all: BTreeSet<&[LaneId]> = sequences.iter().collect();
+        assert_eq!(all.len(), sequences.iter().len(), "a sequence stands twice");
+        most = most.max(ahead.len());
+        if sequences.truncated {
+            assert_eq!(all.len(), 1_024);
+            assert!(listed.is_subset(&ahead));
+            truncated += 1;
+        } else {
+            assert_eq!(listed, ahead);
+            whole += 1;
+        }
+    }
+    assert!(whole > 0 && most > 20, "{whole} whole, {truncated} that end, {most} lanes");
 }

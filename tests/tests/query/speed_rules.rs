@@ -2,6 +2,7 @@
 
 use mapd_query::rules::SpeedOrigin;
 use mapd_query::vocabulary::{Class, VehicleClass};
+use mapd_tests::maps::found;
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, document, open};
 
 const KMH: f64 = 1.0 / 3.6;
@@ -160,4 +161,37 @@ fn access_is_asked_by_lane_and_place() {
     assert!(lane.allows_at(60.0, VehicleClass::PassengerCar));
     assert!(lane.access_at(60.0).all(|class| lane.allows_at(60.0, class)));
     assert!(!lane.allows_at(60.0, VehicleClass::Truck));
+}
+
+/// Lanes of junctions that are open, and those among them of which the limit is unknown in the middle.
+#[test]
+fn limits_within_junctions_are_known_as_counted() {
+    for (name, expected) in [
+        ("Town03", [0, 683]),
+        ("Town04", [59, 452]),
+        ("Town05", [0, 1_440]),
+        ("cloverleaf", [22, 213]),
+    ] {
+        let path = match name {
+            "Town03" | "Town05" => {
+                let folder = mapd_tests::shared("maps/carla");
+                folder.map(|folder| folder.join(format!("{name}.xodr")))
+            }
+            _ => found(&format!("maps/{name}.xodr")),
+        };
+        let Some(path) = path else {
+            mapd_tests::say("SKIPPED in part: no shared maps beside the workspace");
+            return;
+        };
+        let snapshot = mapd_tests::maps::open(&path);
+        let map = snapshot.map();
+        let inside = |lane: &mapd_client::Lane<'_>| lane.road().junction().is_some();
+        let open = |lane: &mapd_client::Lane<'_>| lane.nodes().any(|node| node.is_open());
+        let lanes: Vec<_> = map.lanes().filter(|lane| inside(lane) && open(lane)).collect();
+        let unknown = lanes.iter().filter(|lane| {
+            let section = lane.section();
+            lane.speed_rule_at(0.5 * (section.s_start() + section.s_end())).max.is_none()
+        });
+        assert_eq!([unknown.count(), lanes.len()], expected, "{name}");
+    }
 }
