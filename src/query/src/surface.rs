@@ -145,6 +145,16 @@ impl<'a> Road<'a> {
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn surface_at(&self, s: f64, t: f64) -> Result<Surface<'a>, QueryError> {
+        self.surface_on(s, t, None)
+    }
+
+    /// As [`Self::surface_at`] on a lane that is known to hold the place, which then is not looked for.
+    pub(crate) fn surface_on(
+        &self,
+        s: f64,
+        t: f64,
+        lane: Option<Lane<'a>>,
+    ) -> Result<Surface<'a>, QueryError> {
         if !(s.is_finite() && t.is_finite()) {
             return Err(QueryError::NotFinite);
         }
@@ -152,7 +162,7 @@ impl<'a> Road<'a> {
         let inside = clamp(s, 0.0, end);
         let at = At::new(inside);
         let frame = self.frame(at)?;
-        let lane = self.lane_at(inside, t);
+        let lane = lane.or_else(|| self.lane_at(inside, t));
         let rise = lane.map_or_else(Height::default, |lane| rise(&lane, at, t));
         let profile = self.row_of_surface();
         let height =

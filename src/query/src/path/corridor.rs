@@ -207,8 +207,10 @@ impl<'a> Path<'a, '_> {
             };
             last = Some(lane);
             let edges = lane.edge_slopes(lane.place(*s)?.0);
-            let t = 0.5 * (edges.inner.value + edges.outer.value);
-            let found = lane.road().surface_at(*s, t)?;
+            let (inner, outer) = (edges.inner.value, edges.outer.value);
+            // What has no width holds nothing; elsewhere the lane holds its own middle.
+            let own = (inner != outer).then_some(lane);
+            let found = lane.road().surface_on(*s, 0.5 * (inner + outer), own)?;
             surface.push(CorridorSurface {
                 position: found.position,
                 normal: found.normal,
