@@ -109,6 +109,7 @@ impl From<PathError> for Failure {
             PathError::Step { source, .. } => {
                 Self::new(Self::from(source).code(), error.to_string())
             }
+            PathError::Map(source) => source.into(),
             error => Self::argument(error.to_string()),
         }
     }

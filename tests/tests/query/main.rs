@@ -29,6 +29,7 @@ mod ontology;
 mod overlays;
 mod overlays_lines;
 mod overlays_oracle;
+mod overlays_paths;
 mod overlays_places;
 mod overlays_schema;
 mod overlays_wzdx;

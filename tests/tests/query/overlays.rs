@@ -23,7 +23,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 const CAR: VehicleClass = VehicleClass::PassengerCar;
 
 /// Road A, 100 m, of two lanes each way and a hard shoulder.
-fn two_lanes() -> Snapshot {
+pub(crate) fn two_lanes() -> Snapshot {
     let right = lane(-1, "") + &lane(-2, "") + &lane(-3, "").replace("driving", "shoulder");
     let left = lane(2, "") + &lane(1, "");
     let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
@@ -39,17 +39,17 @@ fn with_signal() -> String {
     document(&text.replace("</lanes>", &format!("</lanes>{light}")))
 }
 
-fn lane_id(map: Map<'_>, number: i32) -> LaneId {
+pub(crate) fn lane_id(map: Map<'_>, number: i32) -> LaneId {
     let section = map.road_by_id("A").expect("a road").section(0).expect("a section");
     section.lane(number).expect("a lane").lane_id()
 }
 
-fn at(seconds: f64) -> SystemTime {
+pub(crate) fn at(seconds: f64) -> SystemTime {
     UNIX_EPOCH + Duration::from_secs_f64(seconds)
 }
 
 /// Runs with the view of a document over the road, at a moment.
-fn with(text: &str, moment: SystemTime, test: impl FnOnce(View<'_>)) {
+pub(crate) fn with(text: &str, moment: SystemTime, test: impl FnOnce(View<'_>)) {
     let snapshot = two_lanes();
     let (bytes, resolved) = over(snapshot.map(), text, true);
     assert_eq!(resolved.unplaced, []);
@@ -58,11 +58,11 @@ fn with(text: &str, moment: SystemTime, test: impl FnOnce(View<'_>)) {
 }
 
 /// An entry about lane −1 from 40 m to 60 m.
-fn entry(id: &str, more: &str) -> String {
+pub(crate) fn entry(id: &str, more: &str) -> String {
     format!(r#"{{"id":"{id}",{more},"lanes":[{{"road":"A","s":[40,60],"lane":-1}}]}}"#)
 }
 
-fn entries(all: &[String]) -> String {
+pub(crate) fn entries(all: &[String]) -> String {
     format!(r#"{{"entries":[{}]}}"#, all.join(","))
 }
 
@@ -102,9 +102,6 @@ fn routes_lead_round_it() {
         assert_eq!(cost(10.0, 90.0), Some((80.0, 2)));
         assert_eq!(cost(50.0, 90.0), Some((40.0, 0)), "the start may be closed");
         assert_eq!(cost(10.0, 50.0), None, "the target may not");
-        let mut met = Vec::new();
-        view.restrictions_along(&steps, CAR, &mut met).expect("an answer");
-        assert!(met.is_empty());
         let from = PositionOnLane { lane, s: 10.0 };
         let mut reached = Vec::new();
         let cost = ShortestLength::default();

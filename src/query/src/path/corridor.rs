@@ -43,7 +43,8 @@ pub struct Corridor {
     pub outer_left_mark: Vec<EdgeMark>,
     /// What lies on the right edge of the rightmost lane.
     pub outer_right_mark: Vec<EdgeMark>,
-    /// The speed limit, as [`Path::speed_at`] has it.
+    /// The speed limit, as [`Path::speed_at`] has it; of a view's corridor today's, with the origin [`SpeedOrigin::Overlay`](crate::rules::SpeedOrigin::Overlay)
+    /// where an entry states it.
     pub speed: Vec<SpeedRule>,
     /// The road's surface on the driven line. Empty until [`Path::corridor_surface`] fills it.
     pub surface: Vec<CorridorSurface>,
@@ -91,6 +92,8 @@ impl Corridor {
 /// What holds for a while: the node that is driven on and what lies beside it.
 struct CurrentNode<'a> {
     piece: u32,
+    /// The number of the node among the ways; none where no node holds.
+    number: Option<u32>,
     lane: Lane<'a>,
     /// Between which s the node holds.
     s: SRange,
@@ -137,7 +140,8 @@ impl<'a> CurrentNode<'a> {
         };
         let held = node.map_or(SRange { low: s, high: s }, |(_, node)| node.s_range());
         let sides = [side(true), side(false)];
-        Self { piece: piece_number, lane, s: held, sides, limit: Limit::NONE }
+        let number = node.map(|(number, _)| number);
+        Self { piece: piece_number, number, lane, s: held, sides, limit: Limit::NONE }
     }
 }
 
@@ -248,6 +252,9 @@ impl<'a> Path<'a, '_> {
         };
         if along >= own.limit.until {
             own.limit = self.limit_from(span.piece as usize, along, s);
+            if let Some(number) = own.number {
+                own.limit.rule = ways.limit(number, own.limit.rule);
+            }
         }
         // Lanes beside each other share the cut: what they differ by is t.
         let (at, _) = own.lane.place(s)?;

@@ -51,6 +51,9 @@ pub enum PathError {
     /// An option out of its domain.
     #[error("the option {0} is out of its domain")]
     Option(&'static str),
+    /// The path is on another map than what it is asked of.
+    #[error(transparent)]
+    Map(#[from] QueryError),
     /// Two S that should be finite and in order are not.
     #[error("a part of a path begins and ends at finite S, the smaller one first")]
     NotInOrder,

@@ -245,6 +245,12 @@ impl<'a, 'b> Path<'a, 'b> {
         self.buffer.pieces.get(number).map(|piece| self.along_in(piece, s))
     }
 
+    /// The lane of this number among [`Path::lanes`], and whether it is travelled towards +s.
+    pub(crate) fn driven(&self, number: usize) -> Option<(Lane<'a>, bool)> {
+        let piece = self.buffer.pieces.get(number)?;
+        Some((Lane::new(self.map, piece.lane)?, piece.forward))
+    }
+
     fn spans_of(&self, piece: &Piece) -> &'b [Span] {
         let [first, end] = piece.spans;
         self.buffer.spans.get(first as usize..end as usize).unwrap_or(&[])

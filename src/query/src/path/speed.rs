@@ -26,6 +26,16 @@ pub struct PathTime {
     pub unlimited: f64,
 }
 
+impl PathTime {
+    /// Adds a stretch and the limit on it.
+    pub(crate) fn add(&mut self, [begin, end]: [f64; 2], max: Option<f64>) {
+        match max.filter(|max| *max > 0.0 && max.is_finite()) {
+            Some(max) => self.time += (end - begin) / max,
+            None => self.unlimited += end - begin,
+        }
+    }
+}
+
 /// A limit, and the S from which on it is to be looked up again.
 #[derive(Clone, Copy)]
 pub(super) struct Limit {
@@ -74,7 +84,7 @@ impl<'a> Path<'a, '_> {
     /// small.
     pub fn speeds(&self, out: &mut Vec<PathSpeed>) {
         out.clear();
-        self.each_limit([0.0, self.length()], |along, rule| match out.last_mut() {
+        self.each_limit([0.0, self.length()], |_, along, rule| match out.last_mut() {
             Some(before) if before.rule == rule => before.along[1] = along[1],
             _ => out.push(PathSpeed { along, rule }),
         });
@@ -84,22 +94,28 @@ impl<'a> Path<'a, '_> {
     ///
     /// Errors: two S that are not finite or not in order.
     pub fn travel_time(&self, [from, to]: [f64; 2]) -> Result<PathTime, PathError> {
-        if !(from <= to && (to - from).is_finite()) {
-            return Err(PathError::NotInOrder);
-        }
-        let part = [from, to].map(|along| mapd_geometry::clamp(along, 0.0, self.length()));
+        let part = self.part([from, to])?;
         let mut sum = PathTime { time: 0.0, unlimited: 0.0 };
-        self.each_limit(part, |[begin, end], rule| {
-            match rule.max.filter(|max| *max > 0.0 && max.is_finite()) {
-                Some(max) => sum.time += (end - begin) / max,
-                None => sum.unlimited += end - begin,
-            }
-        });
+        self.each_limit(part, |_, along, rule| sum.add(along, rule.max));
         Ok(sum)
     }
 
-    /// Tells the limits between two S on the path, in ascending S without gaps.
-    fn each_limit(&self, [from, to]: [f64; 2], mut tell: impl FnMut([f64; 2], SpeedRule)) {
+    /// Two S, each moved to the path's nearer end where it lies outside.
+    ///
+    /// Errors: two S that are not finite or not in order.
+    pub(crate) fn part(&self, [from, to]: [f64; 2]) -> Result<[f64; 2], PathError> {
+        if !(from <= to && (to - from).is_finite()) {
+            return Err(PathError::NotInOrder);
+        }
+        Ok([from, to].map(|along| mapd_geometry::clamp(along, 0.0, self.length())))
+    }
+
+    /// Tells the limits between two S on the path, in ascending S without gaps, each with the number of its lane among [`Path::lanes`].
+    pub(crate) fn each_limit(
+        &self,
+        [from, to]: [f64; 2],
+        mut tell: impl FnMut(usize, [f64; 2], SpeedRule),
+    ) {
         let first = self.span_at(from).map_or(0, |span| span.piece as usize);
         for (number, piece) in self.buffer.pieces.iter().enumerate().skip(first) {
             let [begin, end] = self.ends_of(piece);
@@ -112,7 +128,8 @@ impl<'a> Path<'a, '_> {
                 let spans = self.spans_of(piece);
                 let at = spans.partition_point(|span| span.along <= middle).saturating_sub(1);
                 let s = spans.get(at).map(|span| span.s_at(middle - span.along));
-                tell([along, next], s.and_then(|s| self.rule_on(number, s)).unwrap_or(NOTHING));
+                let rule = s.and_then(|s| self.rule_on(number, s)).unwrap_or(NOTHING);
+                tell(number, [along, next], rule);
                 along = next;
             }
         }

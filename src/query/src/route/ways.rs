@@ -5,6 +5,7 @@ use super::cost::RouteCost;
 use crate::graph::LaneNode;
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
+use crate::rules::SpeedRule;
 use mapd_archive::{NONE, beside_row, node_flags};
 
 /// Numbers stand for nodes of the map or, from its number of nodes on, for pieces of them.
@@ -17,6 +18,9 @@ pub(crate) trait Ways<'a>: Copy {
 
     /// The node of a number, or the piece as a node.
     fn node(&self, number: u32) -> Option<LaneNode<'a>>;
+
+    /// The numbers that stand for a node of the map, in driving order: its own, or those of its pieces.
+    fn pieces(&self, node: u32) -> std::ops::Range<u32>;
 
     /// What holds s of a lane, in one direction of travel.
     fn at(&self, lane: &Lane<'a>, s: f64, forward: bool) -> Option<u32>;
@@ -38,6 +42,12 @@ pub(crate) trait Ways<'a>: Copy {
 
     /// Whether landmarks give bounds.
     fn has_bounds(&self) -> bool;
+
+    /// The speed limit on a node or piece where the map has this one.
+    #[inline]
+    fn limit(&self, _number: u32, map: SpeedRule) -> SpeedRule {
+        map
+    }
 
     /// Where a change of lane to the left or right leads, if the road marks allow one.
     #[inline]
@@ -71,6 +81,10 @@ impl<'a> Ways<'a> for Map<'a> {
     #[inline]
     fn node(&self, number: u32) -> Option<LaneNode<'a>> {
         LaneNode::new(*self, number)
+    }
+
+    fn pieces(&self, node: u32) -> std::ops::Range<u32> {
+        node..node.saturating_add(1)
     }
 
     fn at(&self, lane: &Lane<'a>, s: f64, forward: bool) -> Option<u32> {

@@ -15,6 +15,8 @@ const MOST_ENTRIES: usize = 64;
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum SpeedOrigin {
+    /// An entry of today's overlay: only a view's answers have it ([`View`](crate::view::View)).
+    Overlay,
     /// A sign.
     Signal,
     /// The lane's own record.
@@ -33,9 +35,10 @@ pub enum SpeedOrigin {
 }
 
 impl SpeedOrigin {
-    /// `written` (lane and road type), `sign`, `entry`, `default`, `depends` or `unknown`.
+    /// `overlay`, `written` (lane and road type), `sign`, `entry`, `default`, `depends` or `unknown`.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Overlay => "overlay",
             Self::Signal => "sign",
             Self::Lane | Self::RoadType => "written",
             Self::Entry => "entry",

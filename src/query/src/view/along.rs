@@ -4,14 +4,17 @@ use super::heed::OverlaidGraph;
 use super::{Restriction, SpeedToday, View};
 use crate::error::QueryError;
 use crate::localisation::{LaneMatch, MatchError, MatchOptions, VehiclePose};
-use crate::path::{Corridor, Path, PathLane};
+use crate::path::{Corridor, Path, PathError, PathLane, PathSegment, PathTime};
 use crate::route::PositionOnLane;
+use crate::rules::SpeedRule;
 use crate::signals::SignalsAhead;
 use glam::DMat3;
 use mapd_archive::VehicleClass;
 
 /// Pieces of one entry that are this near to each other along a path are one stretch `[m]`: the other lengths of a path are not exact.
 const TOGETHER: f64 = 1e-3;
+/// The same place along a path by two ways differs by less `[m]`.
+const ROUNDING: f64 = 1e-6;
 
 /// An entry that holds on a stretch of a path.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +23,15 @@ pub struct PathRestriction<'a> {
     pub along: [f64; 2],
     /// The entry, on the lane that is driven there.
     pub restriction: Restriction<'a>,
+}
+
+/// A stretch of a path on which one speed limit holds today.
+#[derive(Clone, Copy, Debug)]
+pub struct PathSpeedToday<'a> {
+    /// S of its beginning and end `[m]`.
+    pub along: [f64; 2],
+    /// What holds there. Where an entry states it, the stretch is on one lane.
+    pub today: SpeedToday<'a>,
 }
 
 impl<'a> View<'a> {
@@ -91,8 +103,119 @@ impl<'a> View<'a> {
         Ok(today)
     }
 
+    /// As [`Path::speeds`] for a class of vehicles, with the overlay's current entries applied, each place as [`View::speed_on_path`] has it. `out` is emptied first; it
+    /// grows only if its capacity is too small.
+    ///
+    /// Errors: a path on another map.
+    pub fn speeds_on_path(
+        &self,
+        path: &Path<'a, '_>,
+        vehicle: VehicleClass,
+        out: &mut Vec<PathSpeedToday<'a>>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        path.check(self.map)?;
+        self.each_limit(path, [0.0, path.length()], vehicle, |along, today| {
+            let goes_on = |before: &&mut PathSpeedToday<'a>| {
+                let known = (before.today.restriction, today.restriction);
+                before.today.map == today.map
+                    && match known {
+                        (None, None) => true,
+                        (Some(known), Some(own)) => {
+                            (known.entry.number(), known.lane) == (own.entry.number(), own.lane)
+                        }
+                        _ => false,
+                    }
+            };
+            let Some(before) = out.last_mut().filter(goes_on) else {
+                return out.push(PathSpeedToday { along, today });
+            };
+            before.along[1] = along[1];
+            if let (Some(known), Some(own)) = (&mut before.today.restriction, today.restriction) {
+                known.s_from = known.s_from.min(own.s_from);
+                known.s_to = known.s_to.max(own.s_to);
+            }
+        });
+        Ok(())
+    }
+
+    /// As [`Path::travel_time`] for a class of vehicles, at the limits of [`View::speeds_on_path`]. What is closed takes as long as if it were open:
+    /// [`View::restrictions_on_path`] tells of it.
+    ///
+    /// Errors: as [`Path::travel_time`]; a path on another map.
+    pub fn travel_time_on_path(
+        &self,
+        path: &Path<'a, '_>,
+        part: [f64; 2],
+        vehicle: VehicleClass,
+    ) -> Result<PathTime, PathError> {
+        path.check(self.map)?;
+        let mut sum = PathTime { time: 0.0, unlimited: 0.0 };
+        self.each_limit(path, path.part(part)?, vehicle, |along, today| sum.add(along, today.max));
+        Ok(sum)
+    }
+
+    /// Tells today's limits between two S on a path, in ascending S without gaps.
+    fn each_limit(
+        &self,
+        path: &Path<'a, '_>,
+        part: [f64; 2],
+        vehicle: VehicleClass,
+        mut tell: impl FnMut([f64; 2], SpeedToday<'a>),
+    ) {
+        let plain = |map: SpeedRule| SpeedToday { max: map.max, map, restriction: None };
+        path.each_limit(part, |number, [begin, end], map| {
+            let driven = path.driven(number).filter(|(lane, _)| self.touches(lane));
+            let Some((lane, forward)) = driven else {
+                return tell([begin, end], plain(map));
+            };
+            let mut told = begin;
+            let nodes = lane.nodes().filter(|node| node.is_forward() == forward);
+            for piece in nodes.flat_map(|node| self.pieces_of(node.number)) {
+                let mut today = plain(map);
+                self.lower(&mut today, &lane, Some(piece), vehicle);
+                let Some(by) = today.restriction else { continue };
+                let ends = if forward { [by.s_from, by.s_to] } else { [by.s_to, by.s_from] };
+                let [from, to] = ends.map(|s| path.along_lane(number, s).unwrap_or(begin));
+                let from = if from - told < ROUNDING { told } else { from };
+                let to = if end - to < ROUNDING { end } else { to };
+                if to - from < ROUNDING {
+                    continue;
+                }
+                if from > told {
+                    tell([told, from], plain(map));
+                }
+                tell([from, to], today);
+                told = to;
+            }
+            if told < end {
+                tell([told, end], plain(map));
+            }
+        });
+    }
+
+    /// As [`Path::segments`], with the overlay's current entries applied: a lane that is closed is not entered, so that before it a change of lane is due; one that is opened
+    /// may be.
+    ///
+    /// Errors: a path on another map.
+    pub fn segments_on_path(
+        &self,
+        path: &Path<'a, '_>,
+        vehicle: VehicleClass,
+        out: &mut Vec<PathSegment>,
+    ) -> Result<(), QueryError> {
+        out.clear();
+        path.check(self.map)?;
+        if self.overlay.is_none() {
+            path.segments(vehicle, out);
+        } else {
+            path.segments_on(OverlaidGraph::new(*self, vehicle), vehicle, out);
+        }
+        Ok(())
+    }
+
     /// As [`Path::corridor`], with the overlay's current entries applied: beside the path a lane that is closed cannot be changed to and adds no room, and one that is
-    /// opened may and does. [`View::restrictions_at`] names the entries. The column `speed` is the map's: [`View::speed_on_path`] has today's.
+    /// opened may and does; the column `speed` has today's limits. [`View::restrictions_at`] and [`View::speeds_on_path`] name the entries.
     ///
     /// Errors: as [`Path::corridor`]; a path on another map.
     pub fn corridor(

@@ -5,7 +5,9 @@ use crate::graph::LaneNode;
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
 use crate::route::{Bounds, RouteCost, Ways};
+use crate::rules::{SpeedOrigin, SpeedRule};
 use mapd_archive::{ArchivedTouchedRow, NONE, VehicleClass};
+use std::ops::Range;
 
 /// A view, for a class of vehicles.
 ///
@@ -78,6 +80,14 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
         }
     }
 
+    fn pieces(&self, node: u32) -> Range<u32> {
+        let pieces = self.view.pieces_for(node, self.vehicle);
+        if pieces.is_empty() {
+            return node..node.saturating_add(1);
+        }
+        self.nodes + pieces.start..self.nodes + pieces.end
+    }
+
     fn at(&self, lane: &Lane<'a>, s: f64, forward: bool) -> Option<u32> {
         let node = self.view.map.at(lane, s, forward)?;
         let piece = self.view.piece_among(self.view.pieces_for(node, self.vehicle), s, forward);
@@ -145,6 +155,15 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
             least = (least * self.time_factor).max(least - saved);
         }
         least.max(0.0)
+    }
+
+    fn limit(&self, number: u32, map: SpeedRule) -> SpeedRule {
+        let lowest = self.piece(number).and_then(|piece| self.view.lowest(piece, self.vehicle));
+        lowest.map_or(map, |(max, _)| SpeedRule {
+            max: Some(max),
+            origin: SpeedOrigin::Overlay,
+            signal: None,
+        })
     }
 
     fn has_bounds(&self) -> bool {

@@ -9,7 +9,7 @@ mod entry;
 mod heed;
 mod queries;
 
-pub use along::PathRestriction;
+pub use along::{PathRestriction, PathSpeedToday};
 pub use entry::{OverlayEntry, Restriction};
 pub use mapd_archive::{Overlay, OverlayKind};
 pub use queries::{OvertakingToday, Permission, SpeedToday};

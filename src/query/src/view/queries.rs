@@ -224,19 +224,26 @@ impl<'a> View<'a> {
         piece: Option<u32>,
         vehicle: VehicleClass,
     ) {
-        let Some((overlay, piece)) = self.piece_row(piece) else { return };
+        let lowest = piece.and_then(|piece| self.lowest(piece, vehicle));
+        let (Some((max, number)), Some((overlay, row))) = (lowest, self.piece_row(piece)) else {
+            return;
+        };
+        today.max = Some(max);
+        today.restriction = restriction(overlay, number, row, lane.lane_id());
+    }
+
+    /// The lowest limit that an entry states on a piece, and the number of the entry.
+    pub(super) fn lowest(&self, piece: u32, vehicle: VehicleClass) -> Option<(f64, u32)> {
+        let (overlay, row) = self.piece_row(Some(piece))?;
         let (mut lowest, mut by) = (f64::INFINITY, None);
-        for (number, entry) in self.active_on(&overlay.tables, piece) {
+        for (number, entry) in self.active_on(&overlay.tables, row) {
             let states = OverlayKind::from_code(entry.kind()) == OverlayKind::Speed
                 && entry.vehicles() & vehicle.bit() != 0;
             if states && entry.value() < lowest {
                 (lowest, by) = (entry.value(), Some(number));
             }
         }
-        if let Some(number) = by {
-            today.max = Some(lowest);
-            today.restriction = restriction(overlay, number, piece, lane.lane_id());
-        }
+        Some((lowest, by?))
     }
 
     /// The row of a piece.
@@ -382,6 +389,7 @@ impl<'a> View<'a> {
     }
 
     /// What holds now along a route or any list of steps, in its order: each entry once for each stretch on which it holds that a step drives over.
+    /// Where the step only begins or ends at its edge, it is not met; a step of no length meets what holds at its place.
     ///
     /// Errors: ids of another map.
     pub fn restrictions_along(
@@ -394,11 +402,15 @@ impl<'a> View<'a> {
         for step in steps {
             let lane = self.map.lane(step.lane)?;
             let (low, high) = (step.s_from.min(step.s_to), step.s_from.max(step.s_to));
+            let concerned = |one: &Restriction<'a>| one.entry.concerns(vehicle);
+            if low == high {
+                let piece = self.piece_at(&lane, low, step.forward);
+                out.extend(self.restrictions_on(piece).filter(concerned));
+                continue;
+            }
+            let met = |one: &Restriction<'a>| one.s_from < high && one.s_to > low && concerned(one);
             for node in lane.nodes().filter(|node| node.is_forward() == step.forward) {
                 for piece in self.pieces_of(node.number) {
-                    let met = |one: &Restriction<'a>| {
-                        one.s_from <= high && one.s_to >= low && one.entry.concerns(vehicle)
-                    };
                     out.extend(self.restrictions_on(Some(piece)).filter(met));
                 }
             }
