@@ -3,6 +3,7 @@
 use mapd_archive::{AlignedBytes, encode_overlay, verify_overlay};
 use mapd_overlay::{Document, Limits, Policy, Resolved, resolve};
 use mapd_query::Map;
+use std::collections::HashMap;
 
 /// A stretch of a lane of a road.
 #[derive(Clone, Debug)]
@@ -49,31 +50,40 @@ impl Stretch {
 
     /// Writes it into the text of the map: `None` where the lane has no body, or has such records already.
     pub fn write_into(&self, text: &str) -> Option<String> {
+        self.write(text, &self.records())
+    }
+
+    /// The records that say so in a lane.
+    fn records(&self) -> String {
         let [from, to] = self.s.map(|s| s - self.start);
         match self.speed {
-            Some(speed) => self.write(
-                text,
-                &format!(
-                    r#"<speed sOffset="{from}" max="{speed}"/><speed sOffset="{to}" max="undefined"/>"#
-                ),
+            Some(speed) => format!(
+                r#"<speed sOffset="{from}" max="{speed}"/><speed sOffset="{to}" max="undefined"/>"#
             ),
-            None => self.write_closed(text, &["passengerCar"]),
+            None => self.denials(&["passengerCar"]),
         }
     }
 
     /// Writes into the text of the map that it is closed for these; `None` as [`Self::write_into`].
     pub fn write_closed(&self, text: &str, vehicles: &[&str]) -> Option<String> {
+        self.write(text, &self.denials(vehicles))
+    }
+
+    fn denials(&self, vehicles: &[&str]) -> String {
         let [from, to] = self.s.map(|s| s - self.start);
         let deny =
             |name: &&str| format!(r#"<access sOffset="{from}" rule="deny" restriction="{name}"/>"#);
         let denied: String = vehicles.iter().map(deny).collect();
-        let records =
-            format!(r#"{denied}<access sOffset="{to}" rule="allow" restriction="none"/>"#);
-        self.write(text, &records)
+        format!(r#"{denied}<access sOffset="{to}" rule="allow" restriction="none"/>"#)
     }
 
     fn write(&self, text: &str, records: &str) -> Option<String> {
-        let road = element(text, 0, "road", &self.road)?;
+        let place = self.place(text, element(text, 0, "road", &self.road)?)?;
+        Some(format!("{}{records}{}", &text[..place], &text[place..]))
+    }
+
+    /// Where its records go, in the road that begins there.
+    fn place(&self, text: &str, road: usize) -> Option<usize> {
         let end = road + text[road..].find("</road>")?;
         let mut at = road;
         for _ in 0..=self.section {
@@ -86,9 +96,32 @@ impl Stretch {
             return None;
         }
         let place = ["<userData", "<height", "<rule"].iter().filter_map(|tag| body.find(tag)).min();
-        let place = lane + place.unwrap_or(body.len());
-        Some(format!("{}{records}{}", &text[..place], &text[place..]))
+        Some(lane + place.unwrap_or(body.len()))
     }
+}
+
+/// Writes stretches of different lanes into the text of a map, each as [`Stretch::write_into`] does, in one pass; `None` where one cannot be.
+pub fn write_all(stretches: &[Stretch], text: &str) -> Option<String> {
+    let begins = text.match_indices("<road ").map(|(at, _)| at);
+    let id = |at: usize| {
+        let tag = text[at..].split('>').next()?;
+        tag.split(" id=\"").nth(1)?.split('"').next()
+    };
+    let roads: HashMap<&str, usize> = begins.filter_map(|at| Some((id(at)?, at))).collect();
+    let place = |one: &Stretch| {
+        let road = roads.get(one.road.as_str())?;
+        Some((one.place(text, *road)?, one.records()))
+    };
+    let mut places = stretches.iter().map(place).collect::<Option<Vec<_>>>()?;
+    places.sort();
+    let (mut out, mut written) = (String::with_capacity(text.len()), 0);
+    for (at, records) in places {
+        out.push_str(&text[written..at]);
+        out.push_str(&records);
+        written = at;
+    }
+    out.push_str(&text[written..]);
+    Some(out)
 }
 
 /// Where an element of this name and id begins.

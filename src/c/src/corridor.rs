@@ -50,7 +50,7 @@ pub struct mapd_corridor_station {
     pub outer_left: mapd_vec3,
     /// Right edge of the rightmost such lane \[m\].
     pub outer_right: mapd_vec3,
-    /// The speed limit, as `mapd_path_speed_at` has it.
+    /// The speed limit, as `mapd_path_speed_at` has it; in what a view says today's.
     pub speed: mapd_speed_rule,
     /// What lies on the left edge of the driven lane.
     pub left_mark: mapd_edge_mark,

@@ -56,6 +56,7 @@ mod surface;
 mod text;
 mod tracker;
 mod view;
+mod view_path;
 mod view_ways;
 
 pub use along::*;
@@ -97,4 +98,5 @@ pub use surface::*;
 pub use text::*;
 pub use tracker::*;
 pub use view::*;
+pub use view_path::*;
 pub use view_ways::*;

@@ -132,6 +132,9 @@ pub const MAPD_SPEED_ORIGIN_ENTRY: u8 = 5;
 /// `origin` of a speed rule: what holds where the junction is entered, which is not the same on all lanes that lead to the place.
 pub const MAPD_SPEED_ORIGIN_DEPENDS: u8 = 6;
 
+/// `origin` of a speed rule: an entry of today's overlay, in what a view says.
+pub const MAPD_SPEED_ORIGIN_OVERLAY: u8 = 7;
+
 /// The speed limit at a place.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -227,6 +230,7 @@ pub(crate) fn speed_rule(rule: SpeedRule) -> mapd_speed_rule {
             SpeedOrigin::None => MAPD_SPEED_ORIGIN_NONE,
             SpeedOrigin::Entry => MAPD_SPEED_ORIGIN_ENTRY,
             SpeedOrigin::Depends => MAPD_SPEED_ORIGIN_DEPENDS,
+            SpeedOrigin::Overlay => MAPD_SPEED_ORIGIN_OVERLAY,
             // One that has no name in C yet.
             _ => MAPD_SPEED_ORIGIN_NONE,
         },

@@ -4,15 +4,14 @@ use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::{MAPD_NO_ROW, mapd_lane_id, mapd_signal_id};
 use crate::lane::mapd_overtaking_rule;
-use crate::list::{List, close, finite, get, get_mut, hand_out, put, put_answer, put_some};
-use crate::path::{mapd_path, path_of};
+use crate::list::{List, close, finite, get, get_mut, hand_out, put, put_some};
 use crate::route::{mapd_route_step, take_steps};
 use crate::scratch::mapd_scratch;
 use crate::signals::{mapd_speed_rule, speed_rule};
 use crate::snapshot::mapd_snapshot;
 use crate::text::mapd_text;
 use mapd_client::Snapshot;
-use mapd_client::view::{OverlayEntry, PathRestriction, Restriction, SpeedToday, View};
+use mapd_client::view::{OverlayEntry, Restriction, SpeedToday, View};
 use mapd_client::vocabulary::VehicleClass;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
@@ -58,18 +57,6 @@ pub struct mapd_restriction {
     pub s_to: f64,
     /// Number of the entry, see `mapd_view_entries`; `MAPD_NO_ROW` where there is no restriction.
     pub entry: u32,
-}
-
-/// An entry that holds on a stretch of a path.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct mapd_path_restriction {
-    /// S of the beginning of what is driven of it \[m\].
-    pub along_from: f64,
-    /// S of its end \[m\].
-    pub along_to: f64,
-    /// The entry, on the lane that is driven there.
-    pub restriction: mapd_restriction,
 }
 
 /// Whether a class of vehicles may use a lane at a place.
@@ -119,13 +106,6 @@ impl From<Option<Restriction<'_>>> for mapd_restriction {
     fn from(one: Option<Restriction<'_>>) -> Self {
         let none = Self { lane: mapd_lane_id::NONE, s_from: 0.0, s_to: 0.0, entry: MAPD_NO_ROW };
         one.map_or(none, Self::from)
-    }
-}
-
-impl From<&PathRestriction<'_>> for mapd_path_restriction {
-    fn from(one: &PathRestriction<'_>) -> Self {
-        let [along_from, along_to] = one.along;
-        Self { along_from, along_to, restriction: one.restriction.into() }
     }
 }
 
@@ -283,29 +263,6 @@ pub unsafe extern "C" fn mapd_view_restrictions_along(
     }
 }
 
-/// What holds now for a class of vehicles along a path, in ascending S: each entry once for each stretch of a driven lane. The path itself is the map's: a
-/// lane that is closed stays where it is.
-///
-/// Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map; `MAPD_CODE_ARGUMENT` for an unknown class.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn mapd_view_restrictions_on_path(
-    view: *const mapd_view,
-    path: *const mapd_path,
-    vehicle: u8,
-    out: *mut mapd_path_restriction,
-    capacity: usize,
-    count: *mut usize,
-    error: *mut mapd_error,
-) -> mapd_code {
-    unsafe {
-        answer(error, || {
-            let (view, path, mut found) = (view_of(view)?, path_of(path)?, Vec::new());
-            view.restrictions_on_path(&path, vehicle_of(vehicle)?, &mut found)?;
-            List { out, capacity, count }.write(found.iter().map(Into::into))
-        })
-    }
-}
-
 /// Whether a class of vehicles may use a lane at s, in its own direction: as `mapd_lane_allows_at`, unless an entry closes or opens it. What one entry
 /// closes no other opens.
 ///
@@ -366,26 +323,6 @@ pub unsafe extern "C" fn mapd_view_overtaking_rule_at(
             let (map, restriction) = (found.map.into(), found.restriction.into());
             let is_forbidden = found.is_forbidden.into();
             put(out, mapd_overtaking_today { map, restriction, is_forbidden })
-        })
-    }
-}
-
-/// The speed limit at S of a path, `along` \[m\], for a class of vehicles: the lowest that an entry states, else as `mapd_path_speed_at`.
-///
-/// Errors: as `mapd_view_allows`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn mapd_view_speed_on_path(
-    view: *const mapd_view,
-    path: *const mapd_path,
-    along: f64,
-    vehicle: u8,
-    out: *mut mapd_speed_today,
-    error: *mut mapd_error,
-) -> mapd_code {
-    unsafe {
-        answer(error, || {
-            let (view, path) = (view_of(view)?, path_of(path)?);
-            put_answer(out, view.speed_on_path(&path, along, vehicle_of(vehicle)?))
         })
     }
 }

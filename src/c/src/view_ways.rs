@@ -100,7 +100,7 @@ pub unsafe extern "C" fn mapd_view_reachable(
 }
 
 /// As `mapd_path_corridor`, with the overlay's current entries applied: beside the path a lane that is closed cannot be changed to and adds no room, and one that is opened
-/// may and does. The speeds are the map's: `mapd_view_speed_on_path` has today's.
+/// may and does; the speeds are today's, with the origin `MAPD_SPEED_ORIGIN_OVERLAY` where an entry states them.
 ///
 /// Errors: as `mapd_path_corridor`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
 #[unsafe(no_mangle)]

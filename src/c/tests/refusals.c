@@ -243,6 +243,12 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_view_allows(view, hit.lane, 1.0, 0, &permission, &error));
   EXPECT(MAPD_CODE_OK, mapd_view_new(other, 0.0, &view, &error));
   EXPECT(MAPD_CODE_FOREIGN_ID, mapd_view_speed_on_path(view, path, 0.0, 0, &speed, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_view_speeds_on_path(view, path, 0, NULL, 0, &count, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_view_segments_on_path(view, path, 0, scratch, NULL, 0, &count, &error));
+  EXPECT(MAPD_CODE_FOREIGN_ID, mapd_view_travel_time_on_path(view, path, 0.0, 1.0, 0, &time, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_view_travel_time_on_path(view, path, NAN, 1.0, 0, &time, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_view_speeds_on_path(view, path, 200, NULL, 0, &count, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_view_segments_on_path(view, path, 0, NULL, NULL, 0, &count, &error));
   mapd_view_close(&view);
   mapd_path_close(&path);
 

@@ -155,6 +155,15 @@ pub(crate) fn segments<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let mut found = Vec::new();
     py.detach(|| path.segments(vehicle, &mut found));
+    segment_columns(py, held, &found)
+}
+
+/// Columns of lanes from which a path's goal is reached.
+pub(crate) fn segment_columns<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    found: &[mapd_client::path::PathSegment],
+) -> PyResult<Bound<'py, PyAny>> {
     let content = content(held.map());
     let numbers = |of: fn(&mapd_client::path::PathSegment) -> f64| {
         Column::Numbers(found.iter().map(of).collect())

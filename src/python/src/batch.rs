@@ -200,8 +200,8 @@ pub(crate) fn position_fields<'py>(
 }
 
 /// Words of speed limits' origins; columns hold their places.
-pub(crate) const SPEED_ORIGINS: [&str; 6] =
-    ["written", "sign", "entry", "default", "depends", "unknown"];
+pub(crate) const SPEED_ORIGINS: [&str; 7] =
+    ["written", "sign", "entry", "default", "depends", "unknown", "overlay"];
 
 /// Columns of speed limits.
 pub(crate) struct Speeds {

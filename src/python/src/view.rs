@@ -1,7 +1,7 @@
 //! A map under what is laid over it, at a moment.
 
 use crate::batch::{Column, answer, columns, fields, overtaking_rule, result, speed_rule};
-use crate::errors::{query, routing};
+use crate::errors::{query, raise, routing};
 use crate::held::{Held, content, id};
 use crate::input::{column, finite, lane_of_id, place_of, vehicle_of};
 use crate::lane::Lane;
@@ -9,7 +9,7 @@ use crate::path::Path;
 use crate::route::{Cost, ahead_result, found_route, pieces_result};
 use crate::signal::Signal;
 use mapd_client::QueryError;
-use mapd_client::path::Corridor;
+use mapd_client::path::{Corridor, PathError};
 use mapd_client::route::RouteScratch;
 use mapd_client::signals::SignalsAhead;
 use mapd_client::view::{OverlayEntry, Restriction, SpeedToday};
@@ -326,6 +326,58 @@ impl View {
             Ok(found)
         })?;
         columns(py, "SpeedsToday", found.columns(), out)
+    }
+
+    /// The speed limits along a path, in ascending S without gaps.
+    #[pyo3(signature = (path, *, vehicle = "passengerCar"))]
+    fn speeds_on_path<'py>(
+        &self,
+        py: Python<'py>,
+        path: &Bound<'py, Path>,
+        vehicle: &str,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let (path, mut found) = (path.get().path().map_err(query)?, Vec::new());
+        self.view().speeds_on_path(&path, vehicle_of(vehicle)?, &mut found).map_err(query)?;
+        let one = |own: &mapd_client::view::PathSpeedToday<'_>| {
+            let ([start, end], speed) = (own.along, self.speed(py, &own.today)?);
+            let fields = fields!(py, start = start, end = end, speed = speed);
+            result(py, "PathSpeedToday", &fields)
+        };
+        found.iter().map(one).collect()
+    }
+
+    /// How long a vehicle takes from one S of a path to another [m] at these limits. What is closed takes as long as if it were open.
+    #[pyo3(signature = (path, start = 0.0, end = None, *, vehicle = "passengerCar"))]
+    fn travel_time_on_path<'py>(
+        &self,
+        py: Python<'py>,
+        path: &Bound<'py, Path>,
+        start: f64,
+        end: Option<f64>,
+        vehicle: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let path = path.get().path().map_err(query)?;
+        let part = [start, end.unwrap_or_else(|| path.length())];
+        let found = self.view().travel_time_on_path(&path, part, vehicle_of(vehicle)?);
+        let found = found.map_err(|error| match error {
+            PathError::Map(error) => query(error),
+            error => raise("PathError", error.to_string()),
+        })?;
+        result(py, "PathTime", &fields!(py, time = found.time, unlimited = found.unlimited))
+    }
+
+    /// From which lanes a path's goal is reached, none of them through what is closed now, and until where a change of lane may wait.
+    #[pyo3(signature = (path, *, vehicle = "passengerCar"))]
+    fn segments_on_path<'py>(
+        &self,
+        py: Python<'py>,
+        path: &Bound<'py, Path>,
+        vehicle: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (path, mut found) = (path.get().path().map_err(query)?, Vec::new());
+        let (view, vehicle) = (self.view(), vehicle_of(vehicle)?);
+        py.detach(|| view.segments_on_path(&path, vehicle, &mut found)).map_err(query)?;
+        crate::along::segment_columns(py, &self.held, &found)
     }
 
     /// The entry by which a signal is out of service now.

@@ -150,6 +150,20 @@ def on_path(view: mapd.View, path: mapd.Path) -> list[int]:
     for row in range(len(room)):
         out += [bits(room[f"{side}_{axis}"][row]) for side in ("outer_left", "outer_right") for axis in "xyz"]
         out.append(int(room.left_may_cross[row]))
+        out += option(room.speed[row])
+        out.append(int(mapd.SPEED_ORIGINS[room.speed_origin[row]] == "overlay"))
+    speeds = view.speeds_on_path(path)
+    out.append(len(speeds))
+    for stretch in speeds:
+        out += [bits(stretch.start), bits(stretch.end), *option(stretch.speed.max)]
+        out += restriction(stretch.speed.restriction)
+    time = view.travel_time_on_path(path)
+    out += [bits(time.time), bits(time.unlimited)]
+    segments = view.segments_on_path(path)
+    out.append(len(segments))
+    for row in range(len(segments)):
+        out += [bits(segments.start[row]), bits(segments.end[row]), int(segments.lane[row])]
+        out += [int(segments.changes[row]), bits(segments.last_change[row])]
     return out
 
 

@@ -31,6 +31,7 @@ mod overlays_lines;
 mod overlays_oracle;
 mod overlays_paths;
 mod overlays_places;
+mod overlays_same_ways;
 mod overlays_schema;
 mod overlays_wzdx;
 mod path_ahead;

@@ -1,11 +1,11 @@
 //! A view over a plain map answers as a map with the same written into its OpenDRIVE.
 
+use crate::overlays_same_ways::{BEYOND_THE_LANE, Measure, are_same, compare_path};
 use mapd_archive::open_overlay;
 use mapd_client::Snapshot;
 use mapd_query::route::{
     PositionOnLane, RouteCost, RouteScratch, RouteStep, ShortestLength, ShortestTime,
 };
-use mapd_query::rules::SpeedOrigin;
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
 use mapd_query::{Lane, Map};
@@ -115,8 +115,19 @@ fn check(name: &str, text: &str, (speeds, seed): ([f64; 2], u64)) -> usize {
 /// Compares a view with a map of the same content as text.
 fn compare(name: &str, view: View<'_>, compiled: &Snapshot, kept: &[Stretch], random: &mut Random) {
     places(view, compiled, kept, random);
-    let found = routes(view, compiled, &ShortestLength::default(), kept, random)
-        + routes(view, compiled, &ShortestTime::default(), kept, random);
+    let (length, time) = (ShortestLength::default(), ShortestTime::default());
+    let by_length = Measure { by_time: false, lane_change: length.lane_change };
+    let by_time = Measure { by_time: true, lane_change: time.lane_change };
+    let [found, same] = [
+        routes(view, compiled, (&length, by_length), kept, random),
+        routes(view, compiled, (&time, by_time), kept, random),
+    ]
+    .iter()
+    .fold([0, 0], |[found, same], own| [found + own[0], same + own[1]]);
+    say(&format!(
+        "{name}: {found} pairs have a way, {} of them another that costs the same",
+        found - same
+    ));
     assert!(found > PAIRS / 80, "{name}: {found} pairs have a way");
 }
 
@@ -193,23 +204,22 @@ fn places(view: View<'_>, compiled: &Snapshot, kept: &[Stretch], random: &mut Ra
             assert_eq!(today.is_allowed, expected, "{stretch:?} at {s}: {today:?}");
             let today = view.speed_rule_at(lane.lane_id(), s, CAR).expect("an answer");
             let expected = there(other, &lane).speed_rule_at(s);
-            // A sign stands above a record in the file, and what is written on the lane that leads into a junction goes on holding there.
-            let beyond = [SpeedOrigin::Signal, SpeedOrigin::Entry, SpeedOrigin::Depends];
-            if !beyond.contains(&expected.origin) {
+            if !BEYOND_THE_LANE.contains(&expected.origin) {
                 assert_eq!(today.max, expected.max, "{stretch:?} at {s}: {today:?} {expected:?}");
             }
         }
     }
 }
 
-/// Compares routes between random places and places beside restricted stretches; how many have a way.
+/// Compares routes between random places and places beside restricted stretches, and what is said along those of either map without the other's entries; how many pairs
+/// have a way, and how many the same one on both.
 fn routes(
     view: View<'_>,
     compiled: &Snapshot,
-    cost: &impl RouteCost,
+    (cost, measure): (&impl RouteCost, Measure),
     kept: &[Stretch],
     random: &mut Random,
-) -> usize {
+) -> [usize; 2] {
     let (map, other) = (view.map(), compiled.map());
     let lanes: Vec<Lane<'_>> =
         map.lanes().filter(|lane| lane.nodes().any(|node| node.allows(CAR))).collect();
@@ -225,7 +235,7 @@ fn routes(
         (lane, random.between(lane.section().s_start(), lane.section().s_end()))
     };
     let mut scratch = RouteScratch::default();
-    let (mut steps, mut expected_steps, mut found) = (Vec::new(), Vec::new(), 0);
+    let (mut steps, mut expected_steps, mut found, mut same) = (Vec::new(), Vec::new(), 0, 0);
     for _ in 0..PAIRS {
         let ((a, s_a), (b, s_b)) = (place(random), place(random));
         let at = |lane: &Lane<'_>, s| PositionOnLane { lane: lane.lane_id(), s };
@@ -246,7 +256,11 @@ fn routes(
                     named(map, &steps),
                     named(other, &expected_steps)
                 );
-                assert!((route.length - expected.length).abs() < 0.5 || off > 0.0, "{what}");
+                let there = (other, &expected_steps[..]);
+                if are_same((view, &steps), there, (measure, kept), &what) {
+                    compare_path((view, &steps), (other, Some(&expected_steps)), kept);
+                    same += 1;
+                }
                 found += 1;
             }
             (None, None) => {}
@@ -255,19 +269,13 @@ fn routes(
                 named(map, &steps)
             ),
         }
-        // Nothing closed is entered: what is driven, behind the start's own piece, is open.
-        for step in steps.iter().skip(1) {
-            let middle = 0.5 * (step.s_from + step.s_to);
-            let lane = map.lane(step.lane).expect("a lane");
-            if lane.is_forward() == step.forward && step.s_from != step.s_to {
-                assert!(
-                    view.allows(step.lane, middle, CAR).expect("an answer").is_allowed,
-                    "{what}: {step:?}"
-                );
-            }
+        // The way as if nothing were said leads through what is closed.
+        let plain = map.route(at(&a, s_a), at(&b, s_b), CAR, cost, &mut scratch, &mut steps);
+        if plain.expect("an answer").is_some() {
+            compare_path((view, &steps), (other, None), kept);
         }
     }
-    found
+    [found, same]
 }
 
 /// Closed, and slower than any road; and where.

@@ -2,7 +2,6 @@
 
 use crate::overlays::{at, entries, entry, lane_id, two_lanes, with};
 use mapd_archive::open_overlay;
-use mapd_query::QueryError;
 use mapd_query::path::{
     Corridor, Path, PathBuffer, PathError, PathOptions, PathSegment, steps_of_lanes,
 };
@@ -12,11 +11,17 @@ use mapd_query::route::{
 use mapd_query::rules::SpeedOrigin;
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
+use mapd_query::{Map, QueryError};
 use mapd_tests::carried;
 use mapd_tests::maps::{Random, open};
 use mapd_tests::overlays::over;
 
 const CAR: VehicleClass = VehicleClass::PassengerCar;
+
+/// A step along a lane on the right.
+fn step(map: Map<'_>, lane: i32, enter: Enter, [s_from, s_to]: [f64; 2]) -> RouteStep {
+    RouteStep { lane: lane_id(map, lane), forward: true, enter, s_from, s_to, s_latest: s_from }
+}
 
 /// Runs with the path along one lane from s to s.
 fn along(view: View<'_>, lane: i32, span: [f64; 2], test: impl FnOnce(Path<'_, '_>)) {
@@ -67,18 +72,12 @@ fn what_a_route_meets() {
 fn a_change_of_lane_before_a_closure() {
     let closed = entries(&[entry("works", r#""kind":"closed""#)]);
     with(&closed, at(0.0), |view| {
-        let step = |lane, enter, s_from, s_to| RouteStep {
-            lane: lane_id(view.map(), lane),
-            forward: true,
-            enter,
-            s_from,
-            s_to,
-            s_latest: s_from,
-        };
         let mut met = Vec::new();
         let mut count = |first_to: f64| {
-            let steps =
-                [step(-1, Enter::Start, 10.0, first_to), step(-2, Enter::Right, first_to, 90.0)];
+            let steps = [
+                step(view.map(), -1, Enter::Start, [10.0, first_to]),
+                step(view.map(), -2, Enter::Right, [first_to, 90.0]),
+            ];
             view.restrictions_along(&steps, CAR, &mut met).expect("an answer");
             met.len()
         };
@@ -195,6 +194,36 @@ fn segments_end_before_what_is_closed() {
         &[(-1, [30.0, 50.0], 0, 80.0), (-1, [50.0, 80.0], 0, 80.0), (-2, [50.0, 80.0], 1, 80.0)],
     );
     check(&[-1, -2], [45.0, 55.0], &[(-1, [0.0, 10.0], 0, 10.0)]);
+}
+
+/// A path that changes lanes where a closure begins and ends: the changes are left to do until there.
+#[test]
+fn a_change_of_lane_at_a_cut() {
+    let closed = entries(&[entry("works", r#""kind":"closed""#)]);
+    with(&closed, at(0.0), |view| {
+        let map = view.map();
+        let steps = [
+            step(map, -1, Enter::Start, [10.0, 40.0]),
+            step(map, -2, Enter::Right, [40.0, 60.0]),
+            step(map, -1, Enter::Left, [60.0, 90.0]),
+        ];
+        let (mut buffer, mut found) = (PathBuffer::default(), Vec::new());
+        let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+        view.segments_on_path(&path, CAR, &mut found).expect("an answer");
+        let own = |own: &PathSegment| {
+            let lane = map.lane(own.lane).expect("a lane").number();
+            (lane, own.changes, own.driven, own.last_change.round())
+        };
+        let found: Vec<_> = found.iter().map(own).collect();
+        let expected = [
+            (-1, 2, true, 30.0),
+            (-2, 1, false, 80.0),
+            (-2, 1, true, 80.0),
+            (-1, 0, true, 80.0),
+            (-2, 1, false, 80.0),
+        ];
+        assert_eq!(found, expected);
+    });
 }
 
 /// The speeds of a corridor are those of its places, with an entry's by its own name.

@@ -1,7 +1,8 @@
 //! One process that asks a map, or a view over it, a number of questions: `view_probe MAP OVERLAY KIND COUNT`, for counting instructions. OVERLAY is the
 //! bytes of an overlay, or `-` for a view without one. Kinds: `speed`, `allows`, `match` (the lanes of a pose), `route` and `find-route` (the fastest way between random
-//! places that have one), `reachable` (within a time), each also with `map-` before it, of the map itself; `open-route` asks only for routes that the overlay leaves possible, and `factors-route` has the map search these with what the
-//! overlay says of whole lanes as factors of them.
+//! places that have one), `reachable` (within a time), each also with `map-` before it, of the map itself; `today-route` asks only for routes that there are under the overlay, so that
+//! they are the same on a map with the same written into it; `open-route` for these between open lanes, and `factors-route` has the map search these with what the overlay says of whole
+//! lanes as factors of them.
 
 use mapd_archive::AlignedBytes;
 use mapd_client::localisation::{MatchOptions, VehiclePose};
@@ -9,7 +10,7 @@ use mapd_client::route::{
     PositionOnLane, RouteCost, RouteEnd, RouteRequest, RouteScratch, ShortestTime, WithFactors,
 };
 use mapd_client::view::View;
-use mapd_client::vocabulary::VehicleClass;
+use mapd_client::vocabulary::{LaneType, VehicleClass};
 use mapd_client::{Lane, LaneId, Map, Point, Snapshot, glam::DMat3};
 use mapd_planner::Random;
 use std::hint::black_box;
@@ -26,10 +27,10 @@ const WITHIN: f64 = 60.0;
 /// Vehicle that drives them.
 const CAR: VehicleClass = VehicleClass::PassengerCar;
 
-/// Places on lanes that cars use.
+/// Places on lanes for traffic, closed or not: the same with closures written into the map.
 fn places(map: Map<'_>) -> Vec<(LaneId, f64)> {
-    let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(CAR));
-    let lanes: Vec<Lane<'_>> = map.lanes().filter(open).collect();
+    let driven = |lane: &Lane<'_>| lane.kind() == LaneType::Driving;
+    let lanes: Vec<Lane<'_>> = map.lanes().filter(driven).collect();
     let mut random = Random(3);
     let mut place = || {
         let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
@@ -40,15 +41,18 @@ fn places(map: Map<'_>) -> Vec<(LaneId, f64)> {
     (0..PLACES).map(|_| place()).collect()
 }
 
-/// Pairs of places with a route between them.
-fn routes(map: Map<'_>, places: &[(LaneId, f64)]) -> Vec<[PositionOnLane; 2]> {
+/// Pairs of places with a route between them, on the map itself or under the overlay.
+fn routes(view: View<'_>, places: &[(LaneId, f64)], today: bool) -> Vec<[PositionOnLane; 2]> {
     let (mut scratch, mut steps) = (RouteScratch::default(), Vec::new());
     let place = |(lane, s): (LaneId, f64)| PositionOnLane { lane, s };
     let all = places.chunks_exact(2).map(|pair| [place(pair[0]), place(pair[1])]);
     let cost = ShortestTime::default();
     let mut found = |[from, to]: &[PositionOnLane; 2]| {
-        map.route(*from, *to, CAR, &cost, &mut scratch, &mut steps)
-            .is_ok_and(|route| route.is_some())
+        let route = match today {
+            true => view.route(*from, *to, CAR, &cost, &mut scratch, &mut steps),
+            false => view.map().route(*from, *to, CAR, &cost, &mut scratch, &mut steps),
+        };
+        route.is_ok_and(|route| route.is_some())
     };
     all.filter(|pair| found(pair)).take(PAIRS).collect()
 }
@@ -126,7 +130,10 @@ fn main() -> ExitCode {
         Some(VehiclePose { position, heading: pose.heading })
     };
     let poses: Vec<VehiclePose> = places.iter().filter_map(middle).collect();
-    let pairs = if kind.ends_with("route") { routes(map, &places) } else { Vec::new() };
+    let pairs = match kind.ends_with("route") {
+        true => routes(view, &places, kind == "today-route"),
+        false => Vec::new(),
+    };
     let cost = ShortestTime::default();
     let options = MatchOptions { vehicle: Some(CAR), ..MatchOptions::default() };
     let (mut matches, mut reached) = (Vec::new(), Vec::new());
@@ -186,7 +193,7 @@ fn main() -> ExitCode {
                 let [from, to] = pairs[i % pairs.len()];
                 black_box(&map.route(from, to, CAR, &factors, &mut scratch, &mut steps));
             }
-            "route" | "open-route" => {
+            "route" | "open-route" | "today-route" => {
                 let [from, to] = pairs[i % pairs.len()];
                 black_box(&view.route(from, to, CAR, &cost, &mut scratch, &mut steps));
             }

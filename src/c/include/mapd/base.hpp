@@ -98,6 +98,7 @@ using CorridorSurface = mapd_corridor_surface;
 using OverlayEntry = mapd_overlay_entry;
 using Restriction = mapd_restriction;
 using PathRestriction = mapd_path_restriction;
+using PathSpeedToday = mapd_path_speed_today;
 using Permission = mapd_permission;
 using SpeedToday = mapd_speed_today;
 using OvertakingToday = mapd_overtaking_today;

@@ -62,6 +62,22 @@ class View : public detail::Owner<mapd_view, mapd_view_close> {
     return detail::value<SpeedToday>(
         [&](auto... out) { return mapd_view_speed_on_path(get(), path.get(), along, vehicle, out...); });
   }
+  /// The speed limits along a path, in ascending S without gaps.
+  Result<std::vector<PathSpeedToday>> try_speeds_on_path(const Path& path, std::uint8_t vehicle) const {
+    return detail::list<PathSpeedToday>(
+        [&](auto... out) { return mapd_view_speeds_on_path(get(), path.get(), vehicle, out...); });
+  }
+  /// How long a vehicle takes from one S of a path to another [m] at these limits.
+  Result<PathTime> try_travel_time_on_path(const Path& path, double from, double to, std::uint8_t vehicle) const {
+    return detail::value<PathTime>(
+        [&](auto... out) { return mapd_view_travel_time_on_path(get(), path.get(), from, to, vehicle, out...); });
+  }
+  /// The lanes from which a path's goal is reached, none of them through what is closed now.
+  Result<std::vector<PathSegment>> try_segments_on_path(const Path& path, std::uint8_t vehicle,
+                                                        Scratch& scratch) const {
+    return detail::list<PathSegment>(
+        [&](auto... out) { return mapd_view_segments_on_path(get(), path.get(), vehicle, scratch.get(), out...); });
+  }
   /// The number of the entry by which a signal is out of service.
   Result<std::optional<std::uint32_t>> try_signal_out_of_service(SignalId signal) const {
     return detail::optional<std::uint32_t>(
@@ -107,7 +123,7 @@ class View : public detail::Owner<mapd_view, mapd_view_close> {
     return detail::list<ReachedPiece>(
         [&](auto... out) { return mapd_view_reachable(get(), from, limit, cost, scratch.get(), out...); });
   }
-  /// The room along a path, as lanes beside it are open now.
+  /// The room along a path, as lanes beside it are open now, with today's speed limits.
   Result<std::vector<CorridorStation>> try_corridor(const Path& path, double from, double length, double step,
                                                     std::uint8_t vehicle, Scratch& scratch) const {
     return detail::list<CorridorStation>([&](auto... out) {
@@ -153,6 +169,15 @@ class View : public detail::Owner<mapd_view, mapd_view_close> {
   }
   SpeedToday speed_on_path(const Path& path, double along, std::uint8_t vehicle) const {
     return try_speed_on_path(path, along, vehicle).value();
+  }
+  std::vector<PathSpeedToday> speeds_on_path(const Path& path, std::uint8_t vehicle) const {
+    return try_speeds_on_path(path, vehicle).value();
+  }
+  PathTime travel_time_on_path(const Path& path, double from, double to, std::uint8_t vehicle) const {
+    return try_travel_time_on_path(path, from, to, vehicle).value();
+  }
+  std::vector<PathSegment> segments_on_path(const Path& path, std::uint8_t vehicle, Scratch& scratch) const {
+    return try_segments_on_path(path, vehicle, scratch).value();
   }
   std::optional<std::uint32_t> signal_out_of_service(SignalId signal) const {
     return try_signal_out_of_service(signal).value();

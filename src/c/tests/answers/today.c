@@ -60,6 +60,33 @@ static void add_on_path(struct numbers *out, const mapd_view *view, const mapd_p
     add_v(out, stations[i].outer_left);
     add_v(out, stations[i].outer_right);
     add_u(out, stations[i].left_mark.may_cross);
+    add_u(out, stations[i].speed.has_max);
+    add_f(out, stations[i].speed.max);
+    add_u(out, stations[i].speed.origin == MAPD_SPEED_ORIGIN_OVERLAY);
+  }
+  static mapd_path_speed_today speeds[MOST];
+  static mapd_path_segment segments[MOST];
+  mapd_path_time time;
+  must(mapd_view_speeds_on_path(view, path, CAR, speeds, MOST, &count, &error));
+  add_u(out, count);
+  for (size_t i = 0; i < count; ++i) {
+    add_f(out, speeds[i].along_from);
+    add_f(out, speeds[i].along_to);
+    add_u(out, speeds[i].today.has_max);
+    add_f(out, speeds[i].today.max);
+    add_restriction(out, &speeds[i].today.restriction);
+  }
+  must(mapd_view_travel_time_on_path(view, path, 0.0, length, CAR, &time, &error));
+  add_f(out, time.time);
+  add_f(out, time.unlimited);
+  must(mapd_view_segments_on_path(view, path, CAR, scratch, segments, MOST, &count, &error));
+  add_u(out, count);
+  for (size_t i = 0; i < count; ++i) {
+    add_f(out, segments[i].along_from);
+    add_f(out, segments[i].along_to);
+    add_u(out, lane_bits(segments[i].lane));
+    add_u(out, segments[i].changes);
+    add_f(out, segments[i].last_change);
   }
 }
 

@@ -152,7 +152,23 @@ inline void on_path(const mapd::View& view, const mapd::Path& path, Numbers& a, 
   restriction(speed.restriction, a);
   const auto stations = view.corridor(path, 0.0, path.length(), path.length() / 4.0, car, scratch);
   a.u(stations.size());
-  for (const auto& own : stations) a.v(own.outer_left).v(own.outer_right).u(own.left_mark.may_cross);
+  for (const auto& own : stations) {
+    a.v(own.outer_left).v(own.outer_right).u(own.left_mark.may_cross).limit(own.speed.max, own.speed.has_max);
+    a.u(own.speed.origin == MAPD_SPEED_ORIGIN_OVERLAY);
+  }
+  const auto speeds = view.speeds_on_path(path, car);
+  a.u(speeds.size());
+  for (const auto& one : speeds) {
+    a.all(one.along_from, one.along_to).limit(one.today.max, one.today.has_max);
+    restriction(one.today.restriction, a);
+  }
+  const auto time = view.travel_time_on_path(path, 0.0, path.length(), car);
+  a.all(time.time, time.unlimited);
+  const auto segments = view.segments_on_path(path, car, scratch);
+  a.u(segments.size());
+  for (const auto& one : segments) {
+    a.all(one.along_from, one.along_to).id(one.lane).u(one.changes).f(one.last_change);
+  }
 }
 
 inline void answer_today(const mapd::Snapshot& under, Question& q, Numbers& a, mapd::Scratch& scratch) {

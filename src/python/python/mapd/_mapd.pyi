@@ -73,6 +73,7 @@ from ._results import (
     PathPosition,
     PathRestriction,
     PathSpeed,
+    PathSpeedToday,
     PathTime,
     Permission,
     Placement,
@@ -1092,6 +1093,14 @@ class View:
         self, path: Path, along: NDArray[np.float64], *, vehicle: str = "passengerCar", out: SpeedsToday | None = None
     ) -> SpeedsToday:
         """The speed limit at S of a path [m]."""
+    def speeds_on_path(self, path: Path, *, vehicle: str = "passengerCar") -> list[PathSpeedToday]:
+        """The speed limits along a path, in ascending S without gaps."""
+    def travel_time_on_path(
+        self, path: Path, start: float = 0.0, end: float | None = None, *, vehicle: str = "passengerCar"
+    ) -> PathTime:
+        """How long a vehicle takes from one S of a path to another [m] at these limits. What is closed takes as long as if it were open."""
+    def segments_on_path(self, path: Path, *, vehicle: str = "passengerCar") -> PathSegments:
+        """From which lanes a path's goal is reached, none of them through what is closed now, and until where a change of lane may wait."""
     def signal_out_of_service(self, signal: Signal) -> OverlayEntry | None:
         """The entry by which a signal is out of service now."""
     def route(

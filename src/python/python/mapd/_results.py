@@ -758,6 +758,16 @@ class SpeedToday(NamedTuple):
     """The entry that says otherwise."""
 
 
+class PathSpeedToday(NamedTuple):
+    """A stretch of a path on which one speed limit holds today."""
+
+    start: float
+    end: float
+    """S of both ends [m]."""
+    speed: SpeedToday
+    """What holds there. Where an entry states it, the stretch is on one lane."""
+
+
 class OvertakingToday(NamedTuple):
     """Whether a class of vehicles may overtake at a place, with what is said of it today."""
 

@@ -5,7 +5,7 @@ use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::ids::LaneId;
 use crate::lane::Lane;
-use crate::route::Ways;
+use crate::route::{Enter, Ways};
 use mapd_archive::VehicleClass;
 
 /// Lanes beside the driven one that are looked at on either side at most; a damaged archive might lead round in a circle.
@@ -38,8 +38,9 @@ pub struct PathSegment {
     stretch: u32,
     /// Whether the vehicle may enter it: what is driven may be closed.
     open: bool,
-    /// Whether the path leaves the stretch, and enters it, on this lane.
+    /// Whether the path leaves the stretch on this lane.
     exit: bool,
+    /// Whether it enters the stretch on this lane, from behind.
     entry: bool,
 }
 
@@ -108,6 +109,11 @@ impl<'a> Path<'a, '_> {
             let node = ways.node(next)?;
             (next == driven_on || node.allows(vehicle)).then_some((next, node))
         };
+        // A change of lane may lie exactly where a stretch begins.
+        let joints = &self.buffer.joints;
+        let joints = joints.get(joints.partition_point(|own| own.along < along[0])..);
+        let mut here = joints.unwrap_or(&[]).iter().take_while(|own| own.along == along[0]);
+        let is_changed = here.any(|joint| matches!(joint.enter, Enter::Left | Enter::Right));
         let driven = (driven_on, node);
         let left = std::iter::successors(Some(driven), |own| next(own, true));
         let leftmost = left.take(MOST_BESIDE + 1).last().unwrap_or(driven);
@@ -126,7 +132,7 @@ impl<'a> Path<'a, '_> {
                 stretch: *number,
                 open: node.allows(vehicle),
                 exit: is_driven,
-                entry: is_driven,
+                entry: is_driven && !is_changed,
             });
         }
     }

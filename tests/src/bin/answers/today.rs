@@ -8,6 +8,7 @@ use mapd_client::glam::DMat3;
 use mapd_client::localisation::{MatchOptions, VehiclePose};
 use mapd_client::path::{Corridor, PathBuffer, PathOptions};
 use mapd_client::route::{PositionOnLane, RouteScratch, ShortestLength};
+use mapd_client::rules::SpeedOrigin;
 use mapd_client::signals::SignalsAhead;
 use mapd_client::view::Restriction;
 use mapd_client::vocabulary::VehicleClass;
@@ -140,6 +141,23 @@ impl Asker<'_> {
             for i in 0..room.len() {
                 a.v(room.outer_left[i]).v(room.outer_right[i]);
                 a.u(u64::from(room.left_mark[i].may_cross));
+                a.option(room.speed[i].max);
+                a.u(u64::from(room.speed[i].origin == SpeedOrigin::Overlay));
+            }
+            let (mut speeds, mut segments) = (Vec::new(), Vec::new());
+            view.speeds_on_path(&path, CAR, &mut speeds)?;
+            a.u(speeds.len() as u64);
+            for one in &speeds {
+                a.f(one.along[0]).f(one.along[1]).option(one.today.max);
+                restriction(&mut a, one.today.restriction.as_ref());
+            }
+            let time = view.travel_time_on_path(&path, [0.0, path.length()], CAR)?;
+            a.f(time.time).f(time.unlimited);
+            view.segments_on_path(&path, CAR, &mut segments)?;
+            a.u(segments.len() as u64);
+            for one in &segments {
+                a.f(one.along[0]).f(one.along[1]).id(one.lane.to_bits()).u(one.changes);
+                a.f(one.last_change);
             }
         }
         let mut reached = Vec::new();
