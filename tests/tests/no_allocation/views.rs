@@ -78,6 +78,7 @@ fn questions_of(view: View<'_>) -> impl FnMut() -> [usize; 5] {
         (RouteScratch::default(), Vec::new(), Vec::new(), Reach::default(), Routes::default());
     let (mut met, mut on_path, mut room, mut buffer) =
         (Vec::new(), Vec::new(), Corridor::default(), PathBuffer::default());
+    let (mut speeds, mut segments) = (Vec::new(), Vec::new());
     let (mut ahead, mut matches) = (SignalsAhead::default(), Vec::new());
     move || {
         let [mut at_place, mut ways, mut along, mut signals, mut poses] = [0; 5];
@@ -119,6 +120,11 @@ fn questions_of(view: View<'_>) -> impl FnMut() -> [usize; 5] {
             let Ok(path) = map.path(&steps, &PathOptions::default(), &mut buffer) else { continue };
             view.restrictions_on_path(&path, car, &mut on_path).expect("an answer");
             let speed = view.speed_on_path(&path, 0.5 * path.length(), car).expect("an answer");
+            view.speeds_on_path(&path, car, &mut speeds).expect("an answer");
+            view.segments_on_path(&path, car, &mut segments).expect("an answer");
+            let all = [0.0, path.length()];
+            let time = view.travel_time_on_path(&path, all, car).expect("an answer");
+            along += speeds.len() + segments.len() + usize::from(time.time > 0.0);
             view.corridor(&path, 0.0, 150.0, 1.0, car, &mut room).expect("a corridor");
             along += on_path.len() + usize::from(speed.restriction.is_some()) + room.len();
         }

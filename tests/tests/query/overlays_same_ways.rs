@@ -243,7 +243,7 @@ fn compare_segments(
     let (own, expected) = (reaching(view.map(), &own), reaching(other, &expected));
     let same = |(a, b): (&Reaching, &Reaching)| {
         (&a.lane, a.forward, a.driven, a.changes) == (&b.lane, b.forward, b.driven, b.changes)
-            && a.s.iter().zip(b.s).all(|(a, b)| (a - b).abs() < SAME_PLACE)
+            && a.s.iter().zip(b.s).all(|(a, b)| (a - b).abs() < CUT)
     };
     let alike = own.len() == expected.len() && own.iter().zip(&expected).all(same);
     let listed = |all: &[Reaching]| all.iter().map(|one| format!("{one:?}\n")).collect::<String>();
