@@ -7,7 +7,7 @@
 //! What is accepted is laid over the map for all readers. By default a daemon has no such socket and accepts nothing (docs/overlay.md). Nothing here needs
 //! iceoryx2; each proposal is a connection of its own, and none is waited for longer than is said.
 
-use mapd_transport::Domain;
+use mapd_transport::{Domain, LONGEST_PROPOSAL, proposals_socket};
 use rustix::net::{self, AddressFamily, SocketAddrUnix, SocketFlags, SocketType, socket_with};
 use std::io::{self, Read, Write};
 use std::net::Shutdown;
@@ -15,9 +15,6 @@ use std::os::unix::net::UnixStream;
 use std::path::PathBuf;
 use std::time::Duration;
 use thiserror::Error;
-
-/// Longest proposal, with the name of its source \[bytes\]: daemons read no longer ones.
-pub const LONGEST_PROPOSAL: usize = 64 << 10;
 
 /// Longest answer \[bytes\].
 const LONGEST_ANSWER: u64 = 4 << 10;
@@ -57,7 +54,7 @@ pub enum ProposeError {
         /// The map.
         map: String,
     },
-    /// The proposal has more than [`LONGEST_PROPOSAL`] bytes, or the source's name has a line break.
+    /// The proposal has more than 65,536 bytes, or the source's name has a line break.
     #[error(
         "a proposal has at most {LONGEST_PROPOSAL} bytes, and the name of its source is one line"
     )]
@@ -184,15 +181,6 @@ fn decision(line: &str) -> Option<Decision> {
         "refused" => Some(Decision::Refused { reason: rest.to_owned() }),
         _ => None,
     }
-}
-
-/// The socket on which a map's daemon takes proposals. Its name holds a hash instead of the map's name: the path of a socket has 107 bytes.
-pub fn proposals_socket(domain: &Domain, map: &str) -> PathBuf {
-    // Fowler, Noll and Vo's hash 1a.
-    let hash = map.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    domain.root().join(format!("proposals-{hash:016x}"))
 }
 
 #[cfg(test)]

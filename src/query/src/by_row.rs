@@ -11,7 +11,9 @@ use crate::section::LaneSection;
 use crate::types::LanePosition;
 use glam::DVec2;
 
-/// Access by row of the archive's tables; `None` if there is no such row.
+/// Access by row of the archive's tables; `None` if there is no such row. For the compiler and this project's own programs: hidden,
+/// so that the documentation of [`Map`] does not show it either.
+#[doc(hidden)]
 pub trait ByRow<'a> {
     /// The lane, lane 0 included.
     fn lane_by_row(&self, row: u32) -> Option<Lane<'a>>;

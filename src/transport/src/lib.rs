@@ -16,6 +16,7 @@
 //! /dev/shm/mapd_root/{map}.overlay-…  the map's overlay, if there is one; named by the record
 //! /dev/shm/mapd_root/{map}.staged     the staged generation, which waits to be served
 //! /dev/shm/mapd_root/control-…        the daemon's socket for `mapd status`, `reload`, `rollback`, `activate`
+//! /dev/shm/mapd_root/proposals-…      the daemon's socket for proposals of a map's overlay, if it takes any
 //! /dev/shm/mapd_root/{nodes,services} iceoryx2's own files
 //! ```
 //!
@@ -51,6 +52,7 @@ mod observer;
 mod payload;
 mod pinned;
 mod presence;
+mod proposals;
 mod record;
 mod regular;
 mod room;
@@ -79,6 +81,7 @@ pub use observer::{
 pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
 pub use presence::Presence;
+pub use proposals::{LONGEST_PROPOSAL, proposals_socket};
 pub use record::{
     GENERATION_SUFFIX, LARGEST_GENERATION, RECORD_SUFFIX, hex, parse_generation, pending,
     read_generation, read_generation_file, remove_staged, replace_text, replace_text_durably,

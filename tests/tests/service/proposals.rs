@@ -1,10 +1,11 @@
 //! What processes on board propose: taken as the policy says, told in the audit log; whatever else is sent changes nothing.
 
-use mapd_client::overlay::{Decision, LONGEST_PROPOSAL, ProposeError, Proposer, proposals_socket};
+use mapd_client::overlay::{Decision, ProposeError, Proposer};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Attach, Client};
 use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain};
 use mapd_tests::town::town;
+use mapd_transport::{LONGEST_PROPOSAL, proposals_socket};
 use serde_json::Value;
 use std::fs;
 use std::io::{Read, Write};

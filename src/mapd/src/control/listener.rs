@@ -3,8 +3,8 @@
 use super::message::{Request, Response};
 use super::socket_path;
 use mapd_client::Domain;
-use mapd_client::overlay::{Decision, LONGEST_PROPOSAL, proposals_socket};
-use mapd_transport::Share;
+use mapd_client::overlay::Decision;
+use mapd_transport::{LONGEST_PROPOSAL, Share, proposals_socket};
 use rustix::event::{PollFd, PollFlags, poll};
 use std::fmt;
 use std::fs::{self, Permissions};
