@@ -212,7 +212,8 @@ impl From<ProjectionError> for Failure {
         let code = match error {
             ProjectionError::NotFinite => mapd_code::NOT_FINITE,
             ProjectionError::OutOfRange => mapd_code::NO_PLACE_ON_EARTH,
-            ProjectionError::Outside => mapd_code::OUTSIDE,
+            // What is newer is as good as outside: there is no answer for the place.
+            _ => mapd_code::OUTSIDE,
         };
         Self::new(code, error.to_string())
     }
@@ -224,6 +225,7 @@ impl From<GeodeticError> for Failure {
         match error {
             GeodeticError::Projection(error) => error.into(),
             GeodeticError::Query(error) => error.into(),
+            _ => Self::new(mapd_code::OUTSIDE, error.to_string()),
         }
     }
 }

@@ -6,6 +6,7 @@ macro_rules! extras {
     ($($(#[$doc:meta])* $name:ident = $bit:literal, $text:literal;)*) => {
         /// What an archive can do without: nothing else in it depends on these.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[non_exhaustive]
         pub enum Extra {
             $($(#[$doc])* $name = $bit,)*
         }

@@ -46,6 +46,7 @@ pub enum DefinitionError {
 
 /// Why a point has no counterpart.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ProjectionError {
     /// A coordinate is not finite.
     #[error("expected finite coordinates")]

@@ -104,6 +104,7 @@ pub(crate) enum EntryFault {
 
 /// Why a file cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum OntologyError {
     /// It is not TOML of the right form.
     #[error("{file}: {message}")]

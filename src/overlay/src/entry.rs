@@ -71,6 +71,7 @@ fn one() -> f64 {
 /// What is said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Kind {
     /// Closed for these vehicles.
     Closed,

@@ -86,6 +86,7 @@ impl Across {
 /// Which lanes of a road, in a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum AcrossWord {
     /// The nearest.
     Nearest,

@@ -10,6 +10,7 @@ const FINDINGS_OF_A_RULE: u32 = 100;
 
 /// A choice of rules and severities.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Profile {
     /// Errors are what makes a part useless; what the standard forbids beyond that is a warning.
     #[default]

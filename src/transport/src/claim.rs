@@ -25,6 +25,7 @@ const PAUSE: Duration = Duration::from_millis(2);
 
 /// Why a map cannot be claimed.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum ClaimError {
     /// Another daemon serves it.
     #[error("map {map:?} is served by process {} already; stop that daemon, or serve under another name with --name",

@@ -1,9 +1,13 @@
 //! Queries do not allocate: an allocator counts.
 #![allow(unsafe_code)]
 
+// Lists and batches of places, marks and landmarks.
 mod places;
+// Single queries, into buffers with room.
 mod queries;
+// Searches, paths, trackers and batches: their buffers grow once.
 mod requests;
+// Views: what they add to a map's answers.
 mod views;
 
 use std::alloc::{GlobalAlloc, Layout, System};

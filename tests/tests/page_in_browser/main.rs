@@ -1,11 +1,17 @@
 //! The page of `mapd export --format html` and `mapd view` in a browser: what it draws, says and answers. Needs Chromium, with which `.ci/run page`
 //! runs it.
 
+// What the page does when it is clicked, asked by keys, or given what it must not trust.
 mod actions;
+// What the page answers is what the native build answers.
 mod answers;
+// What the page draws.
 mod drawing;
+// The page of `mapd view`: it follows what a daemon serves, without being loaded again.
+// What was found in a file, as its page lists it.
 mod findings;
 mod live;
+// The page on a phone: a small screen, and fingers.
 mod touch;
 
 use mapd_client::{Road, Snapshot};

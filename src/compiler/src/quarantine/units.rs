@@ -5,6 +5,7 @@ use mapd_xodr::{Item, Junction, Objects, Road, Span};
 
 /// Kinds of parts that can be left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum PartKind {
     /// A road with all that is along it.
     Road,

@@ -15,6 +15,7 @@ use std::borrow::Cow;
 
 /// Features of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Layer {
     /// Lanes as polygons.
     Lanes,
