@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 /// Both ends of a stretch on a road `[m]`.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SRange {
@@ -13,6 +14,7 @@ pub struct SRange {
 }
 
 /// A box along the axes, in inertial coordinates `[m]`.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bounds {
@@ -23,6 +25,7 @@ pub struct Bounds {
 }
 
 /// Numbers of the lanes from one to another, both among them.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneRange {
@@ -33,6 +36,7 @@ pub struct LaneRange {
 }
 
 /// A place in a file.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SourcePosition {
@@ -43,6 +47,7 @@ pub struct SourcePosition {
 }
 
 /// A header's offset: a point p becomes R(heading)·p + shift (ASAM OpenDRIVE 1.8.1, 8.4.3).
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HeaderOffset {
@@ -53,6 +58,7 @@ pub struct HeaderOffset {
 }
 
 /// The version of OpenDRIVE that a file states; zeros where it states none.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Revision {

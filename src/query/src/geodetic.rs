@@ -11,6 +11,7 @@ use thiserror::Error;
 
 /// Why a question about a place on Earth has no answer.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum GeodeticError {
     /// The place has no point in the map's frame.
     #[error(transparent)]

@@ -118,6 +118,7 @@ pub(crate) fn of_junction<'a>(
 }
 
 /// An elevation grid at a point.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct GridHeight {

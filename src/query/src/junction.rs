@@ -53,6 +53,7 @@ pub struct Connection<'a> {
 }
 
 /// A link of lanes by their numbers.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ConnectedLanes {

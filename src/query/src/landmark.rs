@@ -48,6 +48,7 @@ pub struct Landmark {
 }
 
 /// A sensor that looks for landmarks.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensor {
     /// Where it is, inertial `[m]`.

@@ -25,6 +25,7 @@ pub struct Lane<'a> {
 }
 
 /// A `lane/speed` record.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneSpeed {

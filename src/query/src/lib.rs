@@ -11,6 +11,10 @@
 //! number. One that lies outside is moved to the nearer end of the road, or of the lane's section: answers that say where they are
 //! tell so ([`Clamped`]), bare numbers are those of the end.
 //!
+//! Results that are plain data (numbers, vectors, ids, words, and each other) are `#[repr(C)]`, and their words `#[repr(u8)]`: within one release of mapd they have the
+//! same layout from every compiler and in every build, so that programs built apart may hand them on. Results with options, text, cases with values or
+//! private parts are not; no layout is promised from one release to the next.
+//!
 //! # By task
 //!
 //! Where am I?

@@ -129,6 +129,7 @@ impl NearestOptions {
 }
 
 /// The nearest lane and the point in its coordinates.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Nearest {

@@ -124,6 +124,7 @@ pub struct Polyline<'a> {
 }
 
 /// A point of a line.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LinePoint {

@@ -15,6 +15,7 @@ use glam::{DVec2, DVec3};
 use mapd_archive::NONE;
 
 /// A rectangle along the axes, in inertial coordinates `[m]`, edges included.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Region {
@@ -25,6 +26,7 @@ pub struct Region {
 }
 
 /// A straight piece of a lane's border.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BoundarySegment {

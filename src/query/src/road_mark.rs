@@ -53,6 +53,7 @@ pub struct RoadMarkLine {
 }
 
 /// A straight piece of a road mark's course.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct RoadMarkSegment {

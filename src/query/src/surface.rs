@@ -47,6 +47,7 @@ pub struct Material<'a> {
 }
 
 /// What a lane lies above the road's surface.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneHeight {

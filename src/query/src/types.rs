@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
 /// Track coordinates of a road (OpenDRIVE 1.8.1, 8.3).
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Track {
@@ -16,6 +17,7 @@ pub struct Track {
 }
 
 /// Whether a place along a line was moved to one of the line's ends, because what was asked for lies beyond it.
+#[repr(u8)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(
     feature = "serde",
@@ -63,6 +65,7 @@ impl Clamped {
 
 /// A place on or beside a road or lane, with the frame there: of a road ([`crate::Road::to_inertial`]) ahead is the way its reference
 /// line runs, of a lane ([`crate::Lane::pose_at`]) the way its traffic goes.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Pose {
@@ -168,6 +171,7 @@ impl From<DVec3> for Point {
 }
 
 /// Both edges of a lane at s, as lateral coordinates.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneEdges {
@@ -194,6 +198,7 @@ impl LaneEdges {
 
 /// A point in a lane's own coordinates. Left, right and ahead are those of the lane's traffic ([`crate::Lane::is_forward`]) unless a
 /// name says `of_reference_line`.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LanePosition {

@@ -7,6 +7,7 @@ use glam::DVec3;
 use mapd_geometry::normalize_angle;
 
 /// A place on a lane's centre line.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Waypoint {

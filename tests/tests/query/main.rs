@@ -90,6 +90,8 @@ mod path_room;
 mod path_steps;
 // Routes as lines: S, joints, projection, edges, conflicts.
 mod paths;
+// Results that are plain data have the layout of C.
+mod plain_data;
 // Polylines never lie farther from the exact lines than the options say: dense comparison, several tolerances.
 mod polylines;
 // Requests with several starts and goals, lanes to avoid, headings.

@@ -79,6 +79,7 @@ impl Default for MarkFilter {
 }
 
 /// The side of something, looking along the reference line.
+#[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(
     feature = "serde",

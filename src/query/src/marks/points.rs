@@ -17,6 +17,7 @@ use mapd_archive::{NONE, RoadMarkColor, RoadMarkKind};
 const LEAST_SPACING: f64 = 0.01;
 
 /// A painted place of a road mark.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MarkPoint {
     /// Where: in the middle of the line, on the plane h = 0, inertial `[m]`.

@@ -81,6 +81,7 @@ impl Default for TraceOptions {
 }
 
 /// A lane, and a position with respect to it.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TracePosition {

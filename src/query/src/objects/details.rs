@@ -138,6 +138,7 @@ impl<'a> ObjectBorder<'a> {
 }
 
 /// A vertex of a skeleton.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SkeletonVertex {

@@ -16,6 +16,7 @@ use std::f64::consts::PI;
 const REACH: f64 = 0.05;
 
 /// A position on a path, as seen by a vehicle that drives along it.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathPoint {

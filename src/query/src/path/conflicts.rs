@@ -9,6 +9,7 @@ use crate::rules::{Basis, by_rules};
 use mapd_archive::{ConflictKind, Relation, RelationReason, RoadRules};
 
 /// Who goes first.
+#[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
@@ -56,6 +57,7 @@ impl Yields {
 }
 
 /// A place where the traffic of another lane meets a path.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathConflict {
@@ -84,6 +86,7 @@ pub struct PathConflict {
 }
 
 /// Who goes first at a conflict, and what says so.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct YieldsBy {
     /// Who goes first.

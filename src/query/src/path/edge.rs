@@ -12,6 +12,7 @@ const KERB: f64 = 0.03;
 const NO_WIDTH: f64 = 0.01;
 
 /// What bounds a lane beside its road mark.
+#[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
@@ -36,6 +37,7 @@ impl EdgeKind {
 }
 
 /// What lies on an edge of a lane.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct EdgeMark {

@@ -109,6 +109,7 @@ pub struct PathBuffer {
 }
 
 /// A place where the driven line is not continuous, or changes lanes.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathJoint {
@@ -171,6 +172,7 @@ pub struct Path<'a, 'b> {
 }
 
 /// A lane of a path and what of it is driven.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathLane {

@@ -17,6 +17,7 @@ pub struct PathSpeed {
 }
 
 /// How long a path or a part of it takes at the speed limits.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathTime {

@@ -24,6 +24,7 @@ const MOST_COMPARED: usize = 4_096;
 const ROUNDING: f64 = 1e-9;
 
 /// Which alternatives are wanted.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct AlternativeOptions {

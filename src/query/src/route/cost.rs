@@ -48,6 +48,7 @@ pub trait RouteCost {
 }
 
 /// Metres along centre lines.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ShortestLength {
@@ -56,6 +57,7 @@ pub struct ShortestLength {
 }
 
 /// Seconds at the speed limits.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ShortestTime {

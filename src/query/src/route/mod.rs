@@ -42,6 +42,7 @@ use crate::map::Map;
 use mapd_archive::VehicleClass;
 
 /// A position on a lane by s alone: an end of a route, or where a search begins. ([`LanePosition`](crate::LanePosition) has a point's offsets too.)
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PositionOnLane {
@@ -52,6 +53,7 @@ pub struct PositionOnLane {
 }
 
 /// What a route costs in all.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Route {

@@ -46,6 +46,7 @@ pub struct Reach {
 }
 
 /// How one goes on from one node that is reached to another.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ReachLink {

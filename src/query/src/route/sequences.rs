@@ -29,6 +29,7 @@ pub struct LaneSequences {
 }
 
 /// The next junction on a lane's way.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NextJunction {

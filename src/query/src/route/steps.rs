@@ -9,6 +9,7 @@ use crate::ids::LaneId;
 use crate::map::Map;
 
 /// How a lane of a route is entered.
+#[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "serde",
@@ -27,6 +28,7 @@ pub enum Enter {
 }
 
 /// A lane of a route. A lane that is only changed from is driven for no length: the change may happen at once.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RouteStep {
@@ -45,6 +47,7 @@ pub struct RouteStep {
 }
 
 /// The next change of lane on a route.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LaneChangeAhead {

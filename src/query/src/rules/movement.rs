@@ -19,6 +19,7 @@ const STRAIGHT: f64 = FRAC_PI_4;
 const BACK: f64 = PI - FRAC_PI_4 / 2.0;
 
 /// Where a movement leads.
+#[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Turn {
@@ -52,6 +53,7 @@ pub struct RightOfWay<'a> {
 }
 
 /// What an answer about right of way rests on.
+#[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]

@@ -46,6 +46,7 @@ pub struct Signal<'a> {
 }
 
 /// What a traffic light can show.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LightStates {

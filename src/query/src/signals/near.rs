@@ -9,6 +9,7 @@ use crate::region::Region;
 use glam::DVec2;
 
 /// A signal near a point.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NearSignal {
