@@ -10,7 +10,7 @@ use mapd_geometry::{Cubic, clamp};
 
 /// The plane h = 0 of a road at one s: places beside each other differ by t alone (OpenDRIVE 1.8.1, 8.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CrossSection {
     x: f64,
     y: f64,

@@ -27,7 +27,7 @@ pub struct Bounds {
 /// Numbers of the lanes from one to another, both among them.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneRange {
     /// The lower number.
     pub from: i32,
@@ -38,7 +38,7 @@ pub struct LaneRange {
 /// A place in a file.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SourcePosition {
     /// Line, from 1.
     pub line: u32,
@@ -49,7 +49,7 @@ pub struct SourcePosition {
 /// A header's offset: a point p becomes R(heading)·p + shift (ASAM OpenDRIVE 1.8.1, 8.4.3).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HeaderOffset {
     /// Shift `[m]`.
     pub shift: DVec3,
@@ -60,7 +60,7 @@ pub struct HeaderOffset {
 /// The version of OpenDRIVE that a file states; zeros where it states none.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Revision {
     /// `revMajor`
     pub major: u16,

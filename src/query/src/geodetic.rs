@@ -23,6 +23,7 @@ pub enum GeodeticError {
 
 /// A point on Earth, by the map's datum (WGS 84 for most maps).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct GeodeticPoint {
     /// Latitude `[deg]`, positive to the north.
     pub latitude: f64,

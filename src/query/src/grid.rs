@@ -120,7 +120,7 @@ pub(crate) fn of_junction<'a>(
 /// An elevation grid at a point.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct GridHeight {
     /// Height `[m]`.
     pub height: f64,

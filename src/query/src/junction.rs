@@ -55,7 +55,7 @@ pub struct Connection<'a> {
 /// A link of lanes by their numbers.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ConnectedLanes {
     /// Number of the lane of the incoming road.
     pub from: i32,

@@ -19,7 +19,7 @@ const RESERVED: [char; 5] = ['%', ':', ';', ',', '@'];
 /// assert_eq!(key.to_string(), "A%3A1:0:-2");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneKey<'a> {
     /// OpenDRIVE's id of the road.
     pub road: Cow<'a, str>,

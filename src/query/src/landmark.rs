@@ -16,7 +16,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Where a landmark is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum LandmarkSource {
     /// A signal.
     Signal(SignalId),
@@ -26,7 +30,7 @@ pub enum LandmarkSource {
 
 /// A thing that localisers find again.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Landmark {
     /// What it is in the map.
     pub source: LandmarkSource,
@@ -50,6 +54,7 @@ pub struct Landmark {
 /// A sensor that looks for landmarks.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Sensor {
     /// Where it is, inertial `[m]`.
     pub position: DVec2,
@@ -63,6 +68,7 @@ pub struct Sensor {
 
 /// A landmark as a sensor sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LandmarkInView {
     /// The landmark; its `distance` is the range from the sensor.
     pub landmark: Landmark,

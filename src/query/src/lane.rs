@@ -27,7 +27,7 @@ pub struct Lane<'a> {
 /// A `lane/speed` record.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneSpeed {
     /// Start on the road `[m]`.
     pub s: f64,

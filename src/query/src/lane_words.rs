@@ -5,7 +5,7 @@ use mapd_archive::{ArchivedLaneRuleRow, ArchivedLaneVisibilityRow, string};
 
 /// How far one sees from a lane (`lane/visibility` of OpenDRIVE 1.4 and 1.5).
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneVisibility {
     /// Start on the road `[m]`; it holds until the next record.
     pub s: f64,

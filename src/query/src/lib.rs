@@ -81,6 +81,8 @@ mod marks;
 mod matching;
 mod near;
 mod nearest;
+#[cfg(feature = "serde")]
+mod numbers;
 pub mod objects;
 mod packed;
 pub mod path;

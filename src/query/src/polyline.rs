@@ -126,7 +126,7 @@ pub struct Polyline<'a> {
 /// A point of a line.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LinePoint {
     /// s on the road `[m]`.
     pub s: f64,

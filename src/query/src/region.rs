@@ -28,7 +28,7 @@ pub struct Region {
 /// A straight piece of a lane's border.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BoundarySegment {
     /// The lane whose outer border it is; lane 0 for the line between left and right lanes.
     pub lane: LaneId,

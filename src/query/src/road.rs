@@ -44,7 +44,7 @@ pub enum RoadLink<'a> {
 
 /// A `road/type` record.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RoadTypeRecord {
     /// Start on the road `[m]`.
     pub s: f64,

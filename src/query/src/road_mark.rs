@@ -34,7 +34,7 @@ pub struct RoadMark<'a> {
 
 /// A line of a road mark's pattern, or an explicit one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RoadMarkLine {
     /// Length of the line `[m]`.
     pub length: f64,
@@ -55,7 +55,7 @@ pub struct RoadMarkLine {
 /// A straight piece of a road mark's course.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RoadMarkSegment {
     /// The piece of the lane's border.
     pub segment: BoundarySegment,

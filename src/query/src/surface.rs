@@ -49,7 +49,7 @@ pub struct Material<'a> {
 /// What a lane lies above the road's surface.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneHeight {
     /// At the edge nearer to lane 0 `[m]`.
     pub inner: f64,

@@ -67,7 +67,7 @@ impl Clamped {
 /// line runs, of a lane ([`crate::Lane::pose_at`]) the way its traffic goes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pose {
     /// Inertial position `[m]`.
     pub position: DVec3,
@@ -106,7 +106,7 @@ pub(crate) fn turned(heading: f64) -> f64 {
 
 /// Foot of a point on a road's reference line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TrackPosition {
     /// Along the reference line `[m]`.
     pub s: f64,
@@ -173,7 +173,7 @@ impl From<DVec3> for Point {
 /// Both edges of a lane at s, as lateral coordinates.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneEdges {
     /// t of the edge nearer to lane 0 `[m]`.
     pub inner: f64,

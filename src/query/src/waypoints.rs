@@ -9,7 +9,7 @@ use mapd_geometry::normalize_angle;
 /// A place on a lane's centre line.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Waypoint {
     /// On the road's reference line `[m]`.
     pub s: f64,

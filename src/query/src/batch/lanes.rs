@@ -11,22 +11,30 @@ use glam::DVec2;
 
 /// Nearest lanes, a column for each part of [`Nearest`]; without a lane numbers are NaN, and `distance` is infinite.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NearestLanes {
     /// The lane, if one is near enough.
     pub lane: Vec<Option<LaneId>>,
     /// Along the road's reference line `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub s: Vec<f64>,
     /// Lateral coordinate on the road `[m]`, positive to the left of the reference line.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub t: Vec<f64>,
     /// From the lane's centre `[m]`, positive to the left as its traffic goes.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub offset: Vec<f64>,
     /// Plan-view distance from the lane's area `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub distance: Vec<f64>,
     /// Height of the plane h = 0 at (s, t) `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub z: Vec<f64>,
     /// The way the lane's traffic goes at s `[rad]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub heading: Vec<f64>,
     /// Heading of the reference line at s `[rad]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub heading_of_reference_line: Vec<f64>,
     /// Whether the point lies before or after the lane's section.
     pub clamped: Vec<Clamped>,

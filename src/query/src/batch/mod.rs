@@ -24,6 +24,7 @@ use glam::DVec2;
 
 /// Places, a column for each coordinate. All columns are as long as `x`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Places<'a> {
     /// Inertial x `[m]`.
     pub x: &'a [f64],

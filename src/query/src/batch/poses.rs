@@ -106,3 +106,11 @@ impl Map<'_> {
         Ok(())
     }
 }
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for PoseMatches {
+    /// For each pose the probability that it is in no lane, and its lanes.
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq((0..self.len()).map(|pose| (self.none.get(pose), self.of(pose))))
+    }
+}

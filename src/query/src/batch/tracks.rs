@@ -7,6 +7,7 @@ use crate::types::{Clamped, Pose, Track, TrackPosition};
 
 /// Track coordinates, a column each, all as long as `s`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Tracks<'a> {
     /// Along the reference line `[m]`.
     pub s: &'a [f64],
@@ -18,20 +19,28 @@ pub struct Tracks<'a> {
 
 /// Places with the frame there, a column for each part of [`Pose`].
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Poses {
     /// Inertial x `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub x: Vec<f64>,
     /// Inertial y `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub y: Vec<f64>,
     /// Inertial z `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub z: Vec<f64>,
     /// Direction of the reference line `[rad]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub heading: Vec<f64>,
     /// Curvature of the reference line `[1/m]`, positive to the left.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub curvature: Vec<f64>,
     /// Metres upwards per metre of s.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub slope: Vec<f64>,
     /// Superelevation `[rad]`, positive lifts the left side.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub superelevation: Vec<f64>,
     /// Whether s lay outside the road and was moved to its nearer end.
     pub clamped: Vec<Clamped>,
@@ -58,14 +67,19 @@ impl Poses {
 
 /// Feet on a road's reference line, a column for each part of [`TrackPosition`].
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TrackPositions {
     /// Along the reference line `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub s: Vec<f64>,
     /// Lateral `[m]`, positive to the left.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub t: Vec<f64>,
     /// Upwards `[m]`; NaN where the place had no z.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub h: Vec<f64>,
     /// Plan-view distance from the reference line `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub distance: Vec<f64>,
     /// Whether the foot is an end of the road and the point lies beyond it.
     pub clamped: Vec<Clamped>,

@@ -15,6 +15,7 @@ const LINE: f64 = 1e-6;
 
 /// How a vehicle stands.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stance {
     /// Height of the ground's plane below the vehicle's reference point `[m]`.
     pub z: f64,

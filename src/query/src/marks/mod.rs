@@ -105,7 +105,7 @@ impl Side {
 
 /// The place of a road mark that is nearest to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NearMark {
     /// The lane on whose outer border the mark lies; lane 0 for marks of the centre.
     pub lane: LaneId,

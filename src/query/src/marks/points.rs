@@ -19,6 +19,7 @@ const LEAST_SPACING: f64 = 0.01;
 /// A painted place of a road mark.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MarkPoint {
     /// Where: in the middle of the line, on the plane h = 0, inertial `[m]`.
     pub position: DVec3,

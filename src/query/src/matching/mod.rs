@@ -94,7 +94,7 @@ impl Default for MatchOptions<'_> {
 /// A lane that a vehicle may be in, in one of its directions.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneMatch {
     /// The lane.
     pub lane: LaneId,

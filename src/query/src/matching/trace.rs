@@ -83,7 +83,7 @@ impl Default for TraceOptions {
 /// A lane, and a position with respect to it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TracePosition {
     /// The lane.
     pub lane: LaneId,
@@ -93,7 +93,7 @@ pub struct TracePosition {
 
 /// Where a fix of a trace was.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TraceMatch {
     /// The lane and the place with respect to it; `None` where the trace is on no lane.
     pub place: Option<TracePosition>,

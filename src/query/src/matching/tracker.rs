@@ -102,7 +102,11 @@ impl TrackerOptions<'_> {
 
 /// Where a tracked vehicle is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Tracked {
     /// In this lane.
     Lane(LaneMatch),

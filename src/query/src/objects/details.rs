@@ -140,7 +140,7 @@ impl<'a> ObjectBorder<'a> {
 /// A vertex of a skeleton.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SkeletonVertex {
     /// Inertial `[m]`.
     pub position: DVec3,

@@ -10,7 +10,7 @@ use glam::DVec2;
 
 /// An object near a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NearObject {
     /// Where it stands.
     pub place: PlacementId,

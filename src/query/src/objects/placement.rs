@@ -9,7 +9,7 @@ use mapd_geometry::Attitude;
 
 /// Names a place of an object; valid for one map content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PlacementId {
     /// The object.
     pub object: ObjectId,

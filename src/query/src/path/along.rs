@@ -18,7 +18,7 @@ const REACH: f64 = 0.05;
 /// A position on a path, as seen by a vehicle that drives along it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathPoint {
     /// S `[m]`.
     pub along: f64,

@@ -11,7 +11,11 @@ use mapd_archive::{ConflictKind, Relation, RelationReason, RoadRules};
 /// Who goes first.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum Yields {
     /// The vehicle on the path gives way.
@@ -59,7 +63,7 @@ impl Yields {
 /// A place where the traffic of another lane meets a path.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathConflict {
     /// S of the first and last common place `[m]`; too long by up to half a metre at either end, outside junctions too short or too long by up to
     /// two. A merge ends where the path's own lane begins, or the lane beside it ends.
@@ -88,6 +92,7 @@ pub struct PathConflict {
 /// Who goes first at a conflict, and what says so.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct YieldsBy {
     /// Who goes first.
     pub yields: Yields,

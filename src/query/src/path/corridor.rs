@@ -20,6 +20,7 @@ const MOST_BESIDE: usize = 64;
 
 /// The room along a path, a column for each fact and an entry for each station. Left and right are as seen by the driver.
 #[derive(Clone, Debug, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Corridor {
     /// S `[m]`.
     pub along: Vec<f64>,
@@ -52,7 +53,7 @@ pub struct Corridor {
 
 /// The road's surface at a station.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CorridorSurface {
     /// Inertial position of the lane's middle on the surface `[m]`.
     pub position: DVec3,

@@ -12,7 +12,7 @@ const REACH: f64 = 30.0;
 
 /// A crosswalk or bicycle crossing over a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathCrossing {
     /// S of its first and last place `[m]`; twice the same where the file gives a place alone.
     pub along: [f64; 2],

@@ -14,7 +14,11 @@ const NO_WIDTH: f64 = 0.01;
 /// What bounds a lane beside its road mark.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum EdgeKind {
     /// Another lane of the road, of whatever type, on the same level.
@@ -39,7 +43,7 @@ impl EdgeKind {
 /// What lies on an edge of a lane.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EdgeMark {
     /// Kind of the road mark; `None` where there is none.
     pub kind: RoadMarkKind,

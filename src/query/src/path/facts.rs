@@ -14,7 +14,7 @@ const HOLE_REACH: f64 = 10.0;
 
 /// Something that a path comes by.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathFact {
     /// S of its beginning and end `[m]`; twice the same for what has a place alone.
     pub along: [f64; 2],
@@ -26,7 +26,11 @@ pub struct PathFact {
 
 /// What a path comes by.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum PathFactKind {
     /// A junction, from where the path enters it to where it leaves it.

@@ -111,7 +111,7 @@ pub struct PathBuffer {
 /// A place where the driven line is not continuous, or changes lanes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathJoint {
     /// S `[m]`.
     pub along: f64,
@@ -174,7 +174,7 @@ pub struct Path<'a, 'b> {
 /// A lane of a path and what of it is driven.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathLane {
     /// The lane.
     pub lane: LaneId,

@@ -8,18 +8,24 @@ use crate::types::Clamped;
 
 /// Points in a path's coordinates, a column for each part of [`PathPosition`].
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathPositions {
     /// S of the feet `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub along: Vec<f64>,
     /// Offsets to the left of the driven line `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub d: Vec<f64>,
     /// Plan-view distances from the driven line `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub distance: Vec<f64>,
     /// Headings of the driven line at the feet `[rad]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub heading: Vec<f64>,
     /// The driven lanes there.
     pub lane: Vec<LaneId>,
     /// s on their roads `[m]`.
+    #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub s: Vec<f64>,
     /// Whether the points lie before the path's start or after its end.
     pub clamped: Vec<Clamped>,

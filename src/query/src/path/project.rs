@@ -26,7 +26,7 @@ const EQUAL: f64 = 1e-9;
 /// A point in a path's coordinates.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathPosition {
     /// S of the foot: the nearest point of the driven line in plan view `[m]`.
     pub along: f64,

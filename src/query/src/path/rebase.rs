@@ -21,7 +21,7 @@ const SHORT: f64 = 1.0;
 
 /// What has become of a stretch of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathChange {
     /// S on the old path `[m]`.
     pub along: [f64; 2],
@@ -31,7 +31,11 @@ pub struct PathChange {
 
 /// What has become of a stretch of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum PathChangeKind {
     /// Its lane has the same key and has moved, at most this far where it was looked at `[m]`.

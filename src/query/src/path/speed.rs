@@ -8,7 +8,7 @@ use mapd_archive::NONE;
 
 /// A stretch of a path on which one speed limit holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathSpeed {
     /// S of its beginning and end `[m]`.
     pub along: [f64; 2],
@@ -19,7 +19,7 @@ pub struct PathSpeed {
 /// How long a path or a part of it takes at the speed limits.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathTime {
     /// Time where a limit is known and above 0 `[s]`.
     pub time: f64,

@@ -470,3 +470,11 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
         }
     }
 }
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Routes {
+    /// Pairs of a route and its steps, as [`Self::iter`] has them.
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(self.iter())
+    }
+}

@@ -5,7 +5,11 @@ use crate::rules::Turn;
 
 /// A bound that a cost keeps, which lets a search go straight for its target.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum CostBound {
     /// None: Dijkstra's algorithm.

@@ -55,7 +55,7 @@ pub struct PositionOnLane {
 /// What a route costs in all.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Route {
     /// What the [`RouteCost`] adds up to.
     pub cost: f64,

@@ -48,7 +48,7 @@ pub struct Reach {
 /// How one goes on from one node that is reached to another.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ReachLink {
     /// Number of the other.
     pub to: usize,
@@ -384,4 +384,12 @@ fn changes_of(chain: &[super::ends::ChainNode], mut place: usize) -> u32 {
         changes += 1;
     }
     changes
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Reach {
+    /// Pairs of what is reached and the ways on from there.
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(self.reached.iter().enumerate().map(|(i, one)| (one, self.links(i))))
+    }
 }

@@ -31,7 +31,7 @@ pub struct LaneSequences {
 /// The next junction on a lane's way.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NextJunction {
     /// The junction.
     pub junction: JunctionId,
@@ -212,5 +212,17 @@ impl<'a> Map<'a> {
             node = next;
         }
         Ok(None)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for LaneSequences {
+    /// `sequences`, each a list of lanes, and `truncated`.
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+        let mut out = to.serialize_struct("LaneSequences", 2)?;
+        out.serialize_field("sequences", &self.iter().collect::<Vec<_>>())?;
+        out.serialize_field("truncated", &self.truncated)?;
+        out.end()
     }
 }

@@ -49,7 +49,7 @@ pub struct RouteStep {
 /// The next change of lane on a route.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneChangeAhead {
     /// Number of the step that is entered by it.
     pub step: usize,

@@ -20,7 +20,11 @@ const CROSSINGS: &[Class] = &[Class::Crosswalk, Class::BicycleCrossing];
 
 /// Who says that there is a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum LineSource {
     /// A signal.
     Signal(SignalId),
@@ -30,7 +34,7 @@ pub enum LineSource {
 
 /// A stop line or crosswalk on a lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LaneLine {
     /// Who says so.
     pub source: LineSource,
@@ -44,7 +48,7 @@ pub struct LaneLine {
 
 /// A stop line or crosswalk that a route passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LineAhead {
     /// The line.
     pub line: LaneLine,

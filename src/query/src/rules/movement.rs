@@ -21,7 +21,11 @@ const BACK: f64 = PI - FRAC_PI_4 / 2.0;
 /// Where a movement leads.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 pub enum Turn {
     /// To the left.
     Left,
@@ -55,7 +59,11 @@ pub struct RightOfWay<'a> {
 /// What an answer about right of way rests on.
 #[repr(u8)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum Basis {
     /// The file says so: signs, lights, `junction/priority`.

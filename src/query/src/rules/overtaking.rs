@@ -8,7 +8,7 @@ use mapd_archive::Class;
 
 /// Which signs forbid overtaking at a place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct OvertakingRule {
     /// The sign that forbids it to all motor vehicles.
     pub all: Option<SignalId>,

@@ -12,7 +12,11 @@ const MOST_ENTRIES: usize = 64;
 
 /// Where a speed limit comes from, the strongest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "snake_case")
+)]
 #[non_exhaustive]
 pub enum SpeedOrigin {
     /// An entry of today's overlay: only a view's answers have it ([`View`](crate::view::View)).
@@ -51,9 +55,10 @@ impl SpeedOrigin {
 
 /// The speed limit at a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SpeedRule {
     /// Limit `[m/s]`; infinite where there is none; `None` where the map says nothing.
+    #[cfg_attr(feature = "serde", serde(with = "crate::numbers::limit"))]
     pub max: Option<f64>,
     /// Who says so.
     pub origin: SpeedOrigin,

@@ -201,3 +201,11 @@ pub(crate) fn met(lane: &Lane<'_>, step: &RouteStep, at: f64, is_last: bool) -> 
     let changed = at == step.s_to && step.s_from == step.s_to && !is_last;
     (!(behind || beyond || changed)).then(|| lane.length_between(step.s_from, at))
 }
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for SignalsAhead {
+    /// The list of [`Self::iter`].
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq(self.iter())
+    }
+}

@@ -48,7 +48,7 @@ pub struct Signal<'a> {
 /// What a traffic light can show.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct LightStates {
     /// Lamps: 1 red, 2 yellow, 4 green.
     pub bulbs: u8,

@@ -11,7 +11,7 @@ use glam::DVec2;
 /// A signal near a point.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NearSignal {
     /// The signal.
     pub signal: SignalId,

@@ -18,6 +18,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// An entry that holds on a stretch of a path.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathRestriction<'a> {
     /// S of the beginning and end of what is driven of it `[m]`.
     pub along: [f64; 2],

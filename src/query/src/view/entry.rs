@@ -16,6 +16,7 @@ pub struct OverlayEntry<'a> {
 
 /// An entry that holds on a stretch of a lane.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Restriction<'a> {
     /// What is said.
     pub entry: OverlayEntry<'a>,
@@ -77,5 +78,22 @@ impl<'a> OverlayEntry<'a> {
 impl fmt::Debug for OverlayEntry<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("OverlayEntry").field("id", &self.id()).field("kind", &self.kind()).finish()
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for OverlayEntry<'_> {
+    /// What its functions tell, but whom it concerns.
+    fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+        let mut out = to.serialize_struct("OverlayEntry", 7)?;
+        out.serialize_field("number", &self.number)?;
+        out.serialize_field("id", self.id())?;
+        out.serialize_field("source", self.source())?;
+        out.serialize_field("text", self.text())?;
+        out.serialize_field("kind", &self.kind())?;
+        out.serialize_field("value", &self.value())?;
+        out.serialize_field("confidence", &self.confidence())?;
+        out.end()
     }
 }

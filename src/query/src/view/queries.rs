@@ -15,6 +15,7 @@ use mapd_archive::{ArchivedPieceRow, Overlay, OverlayKind, VehicleClass};
 
 /// Whether a class of vehicles may use a lane at a place.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Permission<'a> {
     /// Whether it may.
     pub is_allowed: bool,
@@ -24,8 +25,10 @@ pub struct Permission<'a> {
 
 /// The speed limit at a place, with what is said of it today.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpeedToday<'a> {
     /// Limit `[m/s]`; infinite if there is no limit; `None` if neither map nor overlay states one.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "crate::numbers::limit::serialize"))]
     pub max: Option<f64>,
     /// What the map says.
     pub map: SpeedRule,
@@ -35,6 +38,7 @@ pub struct SpeedToday<'a> {
 
 /// Whether a class of vehicles may overtake at a place, with what is said of it today.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct OvertakingToday<'a> {
     /// Whether a sign or an entry forbids it to the class. Of signs, those for all count for motor vehicles, those for trucks for [`VehicleClass::Truck`].
     pub is_forbidden: bool,
