@@ -31,6 +31,10 @@ mod overlays;
 // Signed entries of overlays: what the trusted key signed is laid over the map and kept, everything else is refused with its reason.
 mod overlays_signed;
 // What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
+// `mapd overlay NAME apply --watch`: what a fetcher writes is laid over the map for as long as it says so.
+mod overlays_followed;
+// Overlays and new generations: readers have what belongs together, under swaps, stages, and changes of the overlay in between.
+mod overlays_swapped;
 mod oversight;
 // What changes geometry is a patch: compiled with the map and swapped in as a generation.
 mod patches;

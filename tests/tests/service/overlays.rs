@@ -11,32 +11,31 @@ use std::fs;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Output, Stdio};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::{Duration, Instant, UNIX_EPOCH};
+use std::time::{Duration, UNIX_EPOCH};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
 /// A place with a town in a file.
-struct Scene {
-    place: TestDomain,
-    folder: tempfile::TempDir,
-    map: PathBuf,
+pub(super) struct Scene {
+    pub(super) place: TestDomain,
+    pub(super) folder: tempfile::TempDir,
+    pub(super) map: PathBuf,
 }
 
 impl Scene {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
         let map = folder.path().join("town.xodr");
         fs::write(&map, town(3, 3)).expect("written");
         Self { place: TestDomain::new(MAPD), folder, map }
     }
 
-    fn args(&self) -> [&str; 1] {
+    pub(super) fn args(&self) -> [&str; 1] {
         [self.map.to_str().expect("a name")]
     }
 
     /// `mapd overlay town …` with this on stdin.
-    fn overlay(&self, args: &[&str], stdin: &str) -> Output {
+    pub(super) fn overlay(&self, args: &[&str], stdin: &str) -> Output {
         let mut command = self.place.command();
         command.args(["overlay", "town"]).args(args).stdin(Stdio::piped());
         let mut child = command.spawn().expect("starts");
@@ -45,7 +44,7 @@ impl Scene {
     }
 
     /// As [`Scene::overlay`], which must end with this code; what it says.
-    fn ends(&self, args: &[&str], stdin: &str, code: i32) -> String {
+    pub(super) fn ends(&self, args: &[&str], stdin: &str, code: i32) -> String {
         let output = self.overlay(args, stdin);
         let said = String::from_utf8_lossy(&output.stdout).into_owned()
             + &String::from_utf8_lossy(&output.stderr);
@@ -53,26 +52,26 @@ impl Scene {
         said
     }
 
-    fn list(&self) -> Value {
+    pub(super) fn list(&self) -> Value {
         let output = self.overlay(&["list", "--json"], "");
         assert!(output.status.success(), "{output:?}");
         serde_json::from_slice(&output.stdout).expect("JSON")
     }
 
-    fn client(&self, attach: Attach) -> Client {
+    pub(super) fn client(&self, attach: Attach) -> Client {
         Client::connect_as(attach, &self.place.domain(), "town", PATIENCE).expect("attaches")
     }
 }
 
 /// Closes a lane of road 1.
-fn closed(id: &str, lane: i32) -> String {
+pub(super) fn closed(id: &str, lane: i32) -> String {
     format!(
         r#"{{"entries":[{{"id":"{id}","kind":"closed","lanes":[{{"road":"1","s":[10,20],"lane":{lane}}}]}}]}}"#
     )
 }
 
 /// The entry that closes lane −1 of road 1 at 15 m.
-fn closes(snapshot: &Snapshot) -> Option<String> {
+pub(super) fn closes(snapshot: &Snapshot) -> Option<String> {
     let view = snapshot.view(UNIX_EPOCH);
     let road = snapshot.map().road_by_id("1").expect("a road");
     let lane = road.section(0).and_then(|section| section.lane(-1)).expect("a lane").lane_id();
@@ -284,90 +283,6 @@ fn it_outlives_the_daemon() {
     assert!(said.contains(state.to_str().expect("a name")), "{said}");
 }
 
-/// No reader sees a generation without what is laid over it; what does not fit a new map is told, and comes back with the old one.
-#[test]
-fn swaps_never_open_what_is_closed() {
-    let scene = Scene::new();
-    let _daemon = scene.place.serve(&scene.args());
-    scene.ends(&["apply", "-"], &closed("works", -1), 0);
-    let (done, texts) = (AtomicBool::new(false), [town(3, 3), town(3, 2)]);
-    std::thread::scope(|scope| {
-        for attach in [Attach::Observer, Attach::Observer, Attach::Subscriber] {
-            let client = scene.client(attach);
-            let done = &done;
-            scope.spawn(move || {
-                let (mut last, mut seen) = (0, 0);
-                while !done.load(Ordering::Relaxed) {
-                    let snapshot = client.refresh().expect("the newest");
-                    assert_eq!(closes(&snapshot).as_deref(), Some("works"), "{attach:?}");
-                    assert!(snapshot.generation() >= last);
-                    seen += u32::from(snapshot.generation() > last);
-                    last = snapshot.generation();
-                }
-                assert!(seen > 1, "{seen} generations");
-            });
-        }
-        for round in 1..=10 {
-            fs::write(&scene.map, &texts[round % 2]).expect("written");
-            scene.place.reload("town");
-            scene.ends(&["apply", "-"], &closed("works", -1), 0);
-        }
-        done.store(true, Ordering::Relaxed);
-    });
-    // A map without road 1's lane −1 at 10 m.
-    let other = town(3, 3).replace(r#"id="1""#, r#"id="one""#);
-    fs::write(&scene.map, other).expect("written");
-    scene.place.reload("town");
-    let list = scene.list();
-    assert_eq!(list["entries"][0]["state"], "unplaced");
-    let told = scene.place.state("town").overlay;
-    assert_eq!((told.entries, told.unplaced, told.in_part), (1, 1, 0));
-    assert!(list["entries"][0]["why"].as_str().is_some_and(|why| why.contains("road")), "{list}");
-    fs::write(&scene.map, &texts[0]).expect("written");
-    scene.place.reload("town");
-    assert_eq!(scene.list()["entries"][0]["state"], "active");
-    assert_eq!(closes(&scene.client(Attach::Observer).snapshot()).as_deref(), Some("works"));
-}
-
-/// What a fetcher writes into a folder is followed: applied, replaced, removed; what is wrong changes nothing.
-#[test]
-fn a_folder_is_followed() {
-    let scene = Scene::new();
-    let _daemon = scene.place.serve(&scene.args());
-    let folder = scene.folder.path().join("works");
-    fs::create_dir(&folder).expect("a folder");
-    let put = |name: &str, text: &str| fs::write(folder.join(name), text).expect("written");
-    let mut command = scene.place.command();
-    let path = folder.to_str().expect("a name");
-    let follows = command.args(["overlay", "town", "apply", "--watch", path]).spawn();
-    let _follows = Ended(follows.expect("starts"));
-    let becomes = |expected: &[&str]| {
-        let until = Instant::now() + PATIENCE;
-        loop {
-            let list = scene.list();
-            let entries = list["entries"].as_array().expect("a list");
-            let mut ids: Vec<_> = entries.iter().filter_map(|e| e["id"].as_str()).collect();
-            ids.sort_unstable();
-            if ids == expected {
-                return;
-            }
-            assert!(Instant::now() < until, "{ids:?} instead of {expected:?}");
-            std::thread::sleep(Duration::from_millis(20));
-        }
-    };
-    scene.ends(&["apply", "-"], &closed("own", -1), 0);
-    put("a.json", &closed("a", -1));
-    put("b.json", &closed("b", -1));
-    becomes(&["a", "b", "own"]);
-    put("a.json", &closed("other", -1));
-    becomes(&["b", "other", "own"]);
-    put("a.json", "{");
-    fs::remove_file(folder.join("b.json")).expect("removed");
-    becomes(&["other", "own"]);
-    put("a.json", &closed("a", 1));
-    becomes(&["a", "own"]);
-}
-
 /// What a feed no longer says does not hold any more: by the file's name for WZDx, by `--feed` for others.
 #[test]
 fn a_feed_applied_again_is_all_that_it_says() {
@@ -431,85 +346,4 @@ fn a_feed_applied_again_is_all_that_it_says() {
     assert!(found.is_some_and(|place| place.starts_with("features[0]")), "{told}");
     let said = scene.ends(&["apply", feed.to_str().expect("a name"), "--tolerance", "500"], "", 2);
     assert!(said.contains("at most 100 m"), "{said}");
-}
-
-/// A process that ends with the test.
-struct Ended(std::process::Child);
-
-impl Drop for Ended {
-    fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
-
-/// Applies, readers and swaps of the short form; `MAPD_OVERLAYS=1000,16,50` is the long one.
-const STORM: [usize; 3] = [100, 4, 5];
-const VARIABLE: &str = "MAPD_OVERLAYS";
-
-/// Every answer under a storm of applies and swaps is that of one overlay, made for the map that it comes with.
-#[test]
-fn no_answer_is_torn() {
-    let text = std::env::var(VARIABLE).unwrap_or_default();
-    let wanted: Vec<usize> = text.split(',').filter_map(|n| n.parse().ok()).collect();
-    let [applies, readers, swaps] = wanted.try_into().unwrap_or(STORM);
-    let scene = Scene::new();
-    let _daemon = scene.place.serve(&scene.args());
-    let texts = [town(3, 3), town(3, 2)];
-    let (done, answers) = (AtomicBool::new(false), AtomicUsize::new(0));
-    // Each entry closes lane −1 of road 1 on a metre of its own, and says the number of its overlay.
-    let document = |number: usize| {
-        let entry = |i: usize| {
-            let (from, to) = (10 + i, 11 + i);
-            format!(
-                r#"{{"id":"{i}","kind":"closed","text":"{number}","lanes":[{{"road":"1","s":[{from},{to}],"lane":-1}}]}}"#
-            )
-        };
-        let all: Vec<String> = (0..8).map(entry).collect();
-        format!(r#"{{"entries":[{}]}}"#, all.join(","))
-    };
-    scene.ends(&["apply", "-"], &document(0), 0);
-    std::thread::scope(|scope| {
-        for i in 0..readers {
-            let attach = if i % 4 == 0 { Attach::Subscriber } else { Attach::Observer };
-            let client = scene.client(attach);
-            let (done, answers) = (&done, &answers);
-            scope.spawn(move || {
-                let mut last = (0, 0);
-                while !done.load(Ordering::Relaxed) {
-                    let snapshot = client.refresh().expect("the newest");
-                    let now = (snapshot.generation(), snapshot.overlay_revision());
-                    assert!(now >= last, "{now:?} after {last:?}");
-                    last = now;
-                    let view = snapshot.view(UNIX_EPOCH);
-                    let road = snapshot.map().road_by_id("1").expect("a road");
-                    let lane = road.section(0).and_then(|s| s.lane(-1)).expect("a lane").lane_id();
-                    let said = |i: u32| {
-                        let s = f64::from(10 + i) + 0.5;
-                        let answer = view.allows(lane, s, VehicleClass::PassengerCar);
-                        let one = answer.expect("an answer").restriction.expect("closed");
-                        assert_eq!(one.entry.id(), i.to_string());
-                        one.entry.text()
-                    };
-                    let first = said(0);
-                    assert!((1..8).all(|i| said(i) == first), "torn");
-                    answers.fetch_add(1, Ordering::Relaxed);
-                }
-            });
-        }
-        for number in 1..=applies {
-            scene.ends(&["apply", "-"], &document(number), 0);
-            if number % (applies / swaps).max(1) == 0 {
-                fs::write(&scene.map, &texts[number / (applies / swaps).max(1) % 2])
-                    .expect("written");
-                scene.place.reload("town");
-            }
-        }
-        done.store(true, Ordering::Relaxed);
-    });
-    let answers = answers.into_inner();
-    mapd_tests::say(&format!(
-        "{applies} applies, {swaps} swaps, {readers} readers: {answers} answers"
-    ));
-    assert!(answers > applies);
 }

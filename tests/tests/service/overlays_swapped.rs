@@ -1,0 +1,248 @@
+//! Overlays and new generations: readers have what belongs together, under swaps, stages, and changes of the overlay in between.
+
+use super::overlays::{Scene, closed, closes};
+use mapd::control::{ReloadResult, Request};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Attach, Snapshot};
+use mapd_tests::test_domain::until;
+use mapd_tests::town::town;
+use std::fs;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::UNIX_EPOCH;
+
+/// No reader sees a generation without what is laid over it; what does not fit a new map is told, and comes back with the old one.
+#[test]
+fn swaps_never_open_what_is_closed() {
+    let scene = Scene::new();
+    let log = scene.folder.path().join("log");
+    let mut command = scene.place.command();
+    command.arg("--load").args(scene.args());
+    command.stderr(fs::File::create(&log).expect("a file"));
+    let _daemon = scene.place.spawn(command);
+    let said = || fs::read_to_string(&log).expect("read");
+    until("a served map", || said().contains("serving town").then_some(()));
+    scene.ends(&["apply", "-"], &closed("works", -1), 0);
+    let (done, texts) = (AtomicBool::new(false), [town(3, 3), town(3, 2)]);
+    std::thread::scope(|scope| {
+        for attach in [Attach::Observer, Attach::Observer, Attach::Subscriber] {
+            let client = scene.client(attach);
+            let done = &done;
+            scope.spawn(move || {
+                let (mut last, mut seen) = (0, 0);
+                while !done.load(Ordering::Relaxed) {
+                    let snapshot = client.refresh().expect("the newest");
+                    assert_eq!(closes(&snapshot).as_deref(), Some("works"), "{attach:?}");
+                    assert!(snapshot.generation() >= last);
+                    seen += u32::from(snapshot.generation() > last);
+                    last = snapshot.generation();
+                }
+                assert!(seen > 1, "{seen} generations");
+            });
+        }
+        for round in 1..=10 {
+            fs::write(&scene.map, &texts[round % 2]).expect("written");
+            scene.place.reload("town");
+            scene.ends(&["apply", "-"], &closed("works", -1), 0);
+        }
+        done.store(true, Ordering::Relaxed);
+    });
+    // A map without road 1.
+    let other = town(3, 3).replace(r#"id="1" junction"#, r#"id="90001" junction"#);
+    fs::write(&scene.map, other).expect("written");
+    scene.place.reload("town");
+    let words = "overlay entry \"works\" does not fit the new map and is left out: lanes[0].road: the map has no road \"1\"";
+    let lines: Vec<String> =
+        said().lines().filter(|l| l.contains("left out")).map(str::to_owned).collect();
+    assert!(lines.len() == 1 && lines[0].contains(words), "{lines:?}");
+    let list = scene.list();
+    assert_eq!(list["entries"][0]["state"], "unplaced");
+    let told = scene.place.state("town").overlay;
+    assert_eq!((told.entries, told.unplaced, told.in_part), (1, 1, 0));
+    assert!(list["entries"][0]["why"].as_str().is_some_and(|why| why.contains("road")), "{list}");
+    fs::write(&scene.map, &texts[0]).expect("written");
+    scene.place.reload("town");
+    assert_eq!(scene.list()["entries"][0]["state"], "active");
+    assert_eq!(closes(&scene.client(Attach::Observer).snapshot()).as_deref(), Some("works"));
+}
+
+/// An entry that closes lane −1 of a road and says the number of its overlay.
+fn numbered(road: &str, number: u64) -> String {
+    let entry = closed(&format!("road {road}"), -1)
+        .replace(r#""road":"1""#, &format!(r#""road":"{road}""#));
+    entry.replace(r#""kind""#, &format!(r#""text":"{number}","kind""#))
+}
+
+/// What an overlay says: the number of each entry, which is exactly where it was given, on the map that it comes with. `road 12` holds where there is that road, and only there.
+fn said(snapshot: &Snapshot) -> u64 {
+    let (map, view) = (snapshot.map(), snapshot.view(UNIX_EPOCH));
+    let closes = |id: &str| {
+        let road = map.road_by_id(id)?;
+        let lane = road.section(0).and_then(|section| section.lane(-1)).expect("a lane").lane_id();
+        let answer = view.allows(lane, 15.0, VehicleClass::PassengerCar).expect("an answer");
+        let one = answer.restriction.unwrap_or_else(|| panic!("road {id} is open"));
+        let place = (one.entry.id(), one.lane, one.s_from, one.s_to);
+        assert_eq!(place, (format!("road {id}").as_str(), lane, 10.0, 20.0));
+        Some(one.entry.text().parse::<u64>().expect("a number"))
+    };
+    let first = closes("1").expect("road 1");
+    let entries = view.entries().count();
+    assert_eq!(entries, if map.road_by_id("12").is_some() { 2 } else { 1 });
+    assert!(closes("12").is_none_or(|other| other == first), "torn");
+    first
+}
+
+/// Staging, activating and going back under an overlay, with changes of it in between: readers have the overlay of their generation, and never an older one again.
+#[test]
+fn what_is_staged_comes_with_what_is_said_when_it_is_activated() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let own = scene.client(Attach::Observer);
+    let both = |number: u64| {
+        let [first, second] = ["1", "12"].map(|road| numbered(road, number));
+        first.replace("]}]}", "]},") + &second.replace(r#"{"entries":["#, "")
+    };
+    let change = |request: fn(String) -> Request| {
+        let report = scene.place.change("town", &request("town".to_owned()));
+        (report.result, report.generation.expect("a number"))
+    };
+    let stage = |map| Request::Reload { map, stage: true };
+    let stage_back = |map| Request::Rollback { map, stage: true };
+    let back = |map| Request::Rollback { map, stage: false };
+    let activate = |map| Request::Activate { map };
+    scene.ends(&["apply", "-"], &both(0), 0);
+    let done = AtomicBool::new(false);
+    // Number and roads of what is served, as a reader has them.
+    let now = || {
+        let snapshot = own.refresh().expect("the newest");
+        (said(&snapshot), snapshot.generation(), snapshot.map().road_by_id("12").is_some())
+    };
+    std::thread::scope(|scope| {
+        let readers = [Attach::Observer, Attach::Observer, Attach::Subscriber].map(|attach| {
+            let client = scene.client(attach);
+            let done = &done;
+            scope.spawn(move || {
+                let mut seen = vec![(0, 0)];
+                while !done.load(Ordering::Relaxed) {
+                    let snapshot = client.refresh().expect("the newest");
+                    let now = (snapshot.generation(), said(&snapshot));
+                    let last = *seen.last().expect("one");
+                    assert!(now.0 >= last.0 && now.1 >= last.1, "{now:?} after {last:?}");
+                    if now != last {
+                        seen.push(now);
+                    }
+                }
+                seen.len()
+            })
+        });
+        let run = || {
+            let (_, first, _) = now();
+            fs::write(&scene.map, town(3, 2)).expect("written");
+            let (result, staged) = change(stage);
+            assert_eq!((result, now()), (ReloadResult::Staged, (0, first, true)));
+            scene.ends(&["apply", "-"], &both(1), 0);
+            assert_eq!(now(), (1, first, true));
+            assert!(scene.place.state("town").staged.is_some(), "it waits on");
+            assert_eq!(change(activate), (ReloadResult::Published, staged));
+            assert_eq!(now(), (1, staged, false));
+            let list = scene.list();
+            assert_eq!(
+                (&list["entries"][0]["state"], &list["entries"][1]["state"]),
+                (&"active".into(), &"unplaced".into())
+            );
+            // What only the generation before has a place for is refused, and what is served stays.
+            let refused = scene.ends(&["apply", "-"], &both(2), 2);
+            assert!(refused.contains("\"road 12\", lanes[0].road"), "{refused}");
+            assert_eq!(now(), (1, staged, false));
+            let (result, again) = change(back);
+            assert_eq!((result, now()), (ReloadResult::Published, (1, again, true)));
+            assert_eq!(scene.list()["entries"][1]["state"], "active");
+            // The same, but going back is staged.
+            let (_, next) = change(|map| Request::Reload { map, stage: false });
+            assert_eq!(now(), (1, next, false));
+            let (result, staged) = change(stage_back);
+            assert_eq!((result, now()), (ReloadResult::Staged, (1, next, false)));
+            scene.ends(&["apply", "-"], &numbered("1", 1), 0);
+            assert_eq!(now(), (1, next, false));
+            assert_eq!(change(activate), (ReloadResult::Published, staged));
+            assert_eq!(now(), (1, staged, true));
+        };
+        let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run));
+        done.store(true, Ordering::Relaxed);
+        for reader in readers {
+            let seen = reader.join().expect("a reader that always has what belongs together");
+            assert!(seen > 3, "{seen} states");
+        }
+        outcome.expect("the changes");
+    });
+}
+
+/// Applies, readers and swaps of the short form; `MAPD_OVERLAYS=1000,16,50` is the long one.
+const STORM: [usize; 3] = [100, 4, 5];
+const VARIABLE: &str = "MAPD_OVERLAYS";
+
+/// Every answer under a storm of applies and swaps is that of one overlay, made for the map that it comes with.
+#[test]
+fn no_answer_is_torn() {
+    let text = std::env::var(VARIABLE).unwrap_or_default();
+    let wanted: Vec<usize> = text.split(',').filter_map(|n| n.parse().ok()).collect();
+    let [applies, readers, swaps] = wanted.try_into().unwrap_or(STORM);
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let texts = [town(3, 3), town(3, 2)];
+    let (done, answers) = (AtomicBool::new(false), AtomicUsize::new(0));
+    // Each entry closes lane −1 of road 1 on a metre of its own, and says the number of its overlay.
+    let document = |number: usize| {
+        let entry = |i: usize| {
+            let (from, to) = (10 + i, 11 + i);
+            format!(
+                r#"{{"id":"{i}","kind":"closed","text":"{number}","lanes":[{{"road":"1","s":[{from},{to}],"lane":-1}}]}}"#
+            )
+        };
+        let all: Vec<String> = (0..8).map(entry).collect();
+        format!(r#"{{"entries":[{}]}}"#, all.join(","))
+    };
+    scene.ends(&["apply", "-"], &document(0), 0);
+    std::thread::scope(|scope| {
+        for i in 0..readers {
+            let attach = if i % 4 == 0 { Attach::Subscriber } else { Attach::Observer };
+            let client = scene.client(attach);
+            let (done, answers) = (&done, &answers);
+            scope.spawn(move || {
+                let mut last = (0, 0);
+                while !done.load(Ordering::Relaxed) {
+                    let snapshot = client.refresh().expect("the newest");
+                    let now = (snapshot.generation(), snapshot.overlay_revision());
+                    assert!(now >= last, "{now:?} after {last:?}");
+                    last = now;
+                    let view = snapshot.view(UNIX_EPOCH);
+                    let road = snapshot.map().road_by_id("1").expect("a road");
+                    let lane = road.section(0).and_then(|s| s.lane(-1)).expect("a lane").lane_id();
+                    let said = |i: u32| {
+                        let s = f64::from(10 + i) + 0.5;
+                        let answer = view.allows(lane, s, VehicleClass::PassengerCar);
+                        let one = answer.expect("an answer").restriction.expect("closed");
+                        assert_eq!(one.entry.id(), i.to_string());
+                        one.entry.text()
+                    };
+                    let first = said(0);
+                    assert!((1..8).all(|i| said(i) == first), "torn");
+                    answers.fetch_add(1, Ordering::Relaxed);
+                }
+            });
+        }
+        for number in 1..=applies {
+            scene.ends(&["apply", "-"], &document(number), 0);
+            if number % (applies / swaps).max(1) == 0 {
+                fs::write(&scene.map, &texts[number / (applies / swaps).max(1) % 2])
+                    .expect("written");
+                scene.place.reload("town");
+            }
+        }
+        done.store(true, Ordering::Relaxed);
+    });
+    let answers = answers.into_inner();
+    mapd_tests::say(&format!(
+        "{applies} applies, {swaps} swaps, {readers} readers: {answers} answers"
+    ));
+    assert!(answers > applies);
+}
