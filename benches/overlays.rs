@@ -28,7 +28,7 @@ const BLOCKS: usize = 48;
 /// Entries of overlays.
 const ENTRIES: [usize; 3] = [1, 1_000, 10_000];
 /// Longest median from publishing one entry until a waiting client has it: ten times what it takes on two cores that have other work.
-const LATEST: Duration = Duration::from_millis(2);
+const LATEST: Duration = Duration::from_millis(1);
 /// Overlays that a daemon is asked for.
 const ASKED: u64 = 200;
 /// Times that a client asks for news.

@@ -13,7 +13,7 @@ use mapd_query::graph::LaneNode;
 use std::collections::BTreeMap;
 
 /// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out, as when a map is compiled.
-const SHORTEST_PIECE: f64 = 0.1;
+pub(crate) const SHORTEST_PIECE: f64 = 0.1;
 
 /// Where an entry holds on a node.
 #[derive(Clone, Copy)]
@@ -21,13 +21,15 @@ pub(crate) struct Mark {
     pub(crate) s_from: f64,
     pub(crate) s_to: f64,
     pub(crate) entry: u32,
+    /// Number of the place that it is from, among all places of all entries.
+    pub(crate) place: u32,
 }
 
 /// Marks by row of the map's nodes.
 pub(crate) type Marks = BTreeMap<u32, Vec<Mark>>;
 
-/// Fills the tables of nodes and pieces.
-pub(crate) fn fill(map: Map<'_>, marks: &Marks, rows: &mut OverlayRows) {
+/// Fills the tables of nodes and pieces. Notes of each place whether it holds on a piece: what is shorter than [`SHORTEST_PIECE`] on every lane may hold on none.
+pub(crate) fn fill(map: Map<'_>, marks: &Marks, rows: &mut OverlayRows, held: &mut [bool]) {
     let cuts = cuts(map, marks);
     let own = |marks: &Vec<Mark>| vehicles(marks, &rows.entries);
     let mut touched: BTreeMap<u32, (&[f64], u16)> =
@@ -43,7 +45,7 @@ pub(crate) fn fill(map: Map<'_>, marks: &Marks, rows: &mut OverlayRows) {
     for (number, (cuts, vehicles)) in touched {
         let Some(node) = map.lane_node_by_row(number) else { continue };
         let first = rows.pieces.len() as u32;
-        cut(&node, cuts, marks.get(&number).map_or(&[][..], Vec::as_slice), rows);
+        cut(&node, cuts, marks.get(&number).map_or(&[][..], Vec::as_slice), rows, held);
         let pieces = Range { first, count: rows.pieces.len() as u32 - first };
         rows.nodes.push(OverlayNodeRow { node: number, pieces });
         rows.node_vehicles.push(vehicles);
@@ -93,7 +95,13 @@ fn cuts(map: Map<'_>, marks: &Marks) -> BTreeMap<u32, Vec<f64>> {
 }
 
 /// Cuts a node into pieces, in driving order.
-fn cut(node: &LaneNode<'_>, cuts: &[f64], marks: &[Mark], rows: &mut OverlayRows) {
+fn cut(
+    node: &LaneNode<'_>,
+    cuts: &[f64],
+    marks: &[Mark],
+    rows: &mut OverlayRows,
+    held: &mut [bool],
+) {
     let SRange { low: start, high: end } = node.s_range();
     let mut ends: Vec<f64> = cuts.to_vec();
     ends.insert(0, start);
@@ -110,7 +118,11 @@ fn cut(node: &LaneNode<'_>, cuts: &[f64], marks: &[Mark], rows: &mut OverlayRows
         let middle = 0.5 * (s_from + s_to);
         let first = rows.piece_entries.len() as u32;
         let here = marks.iter().filter(|mark| mark.s_from <= middle && middle <= mark.s_to);
-        let mut entries: Vec<u32> = here.map(|mark| mark.entry).collect();
+        let mut entries = Vec::new();
+        for mark in here {
+            entries.push(mark.entry);
+            held.get_mut(mark.place as usize).into_iter().for_each(|held| *held = true);
+        }
         entries.sort_unstable();
         entries.dedup();
         rows.piece_entries.extend_from_slice(&entries);

@@ -2,11 +2,11 @@
 
 use crate::document::Document;
 use crate::entry::Entry;
-use crate::pieces::{self, Mark, Marks};
-use crate::places::{Ground, Stretch, Unfit};
+use crate::pieces::{self, Mark, Marks, SHORTEST_PIECE};
+use crate::places::{Ground, Stretch, Unfit, field};
 use crate::resolve::{Policy, Resolved, Unplaced, add, place, raised};
 use mapd_archive::{OverlayRows, SignalEntryRow, StringTable};
-use mapd_query::{LaneId, Map, SRange};
+use mapd_query::{Lane, LaneId, Map, SRange};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Most that all lines of a document measure within the map `[m]`: what is placed takes time for each step of it.
@@ -35,6 +35,8 @@ struct Known {
 #[derive(Debug)]
 struct Places {
     holds: Holds,
+    /// Where the stretches of each place end, in the order of [`field`].
+    ends: Vec<u32>,
     parts: Vec<Unfit>,
 }
 
@@ -95,7 +97,7 @@ impl Placements {
                 let stretch = |one: &Stretch<'_>| (one.lane.lane_id(), one.s_from, one.s_to);
                 let stretches = found.stretches.iter().map(stretch).collect();
                 let holds = Holds { stretches, signals: found.signals };
-                Places { holds, parts: found.parts }
+                Places { holds, ends: found.ends, parts: found.parts }
             });
             if ground.left() < 0.0 && !entry.places.is_empty() {
                 // What is over may have a place once there is less.
@@ -125,29 +127,55 @@ impl Placements {
     }
 
     /// Resolves a document: places what is missing, and puts together what is published. An entry that does not fit is left out whole; only of a
-    /// line the part that is on the map's lanes holds.
+    /// line the part that is on the map's lanes holds, and of several places those that are not too short to be cut out of a lane.
     pub fn resolve(&mut self, map: Map<'_>, document: &Document) -> Resolved {
         self.place(map, document);
+        self.forget(document);
+        // Entries that nothing is left of. Without one, lanes are cut elsewhere: so all is put together anew, rarely.
+        let mut gone = BTreeMap::new();
+        loop {
+            let (resolved, more) = self.put_together(map, document, &gone);
+            if more.is_empty() {
+                return resolved;
+            }
+            gone.extend(more);
+        }
+    }
+
+    /// Puts together what is published, without entries that are gone, by number; and those of which nothing is left where lanes are cut, with the first of their places.
+    fn put_together(
+        &self,
+        map: Map<'_>,
+        document: &Document,
+        gone: &BTreeMap<usize, Unfit>,
+    ) -> (Resolved, BTreeMap<usize, Unfit>) {
         let mut rows = OverlayRows::default();
         let mut strings = StringTable::default();
         let (mut marks, mut unplaced) = (Marks::new(), Vec::new());
+        // Of each entry that holds, the first of its places among all, and how many it has.
+        let (mut own_places, mut places_in_all) = (Vec::new(), 0_u32);
         let mut lines = 0.0;
         for (number, entry) in document.entries.iter().enumerate() {
-            let unfit = |(field, why): Unfit, is_part| {
-                let id = entry.id.clone();
-                Unplaced { id, number, field, why, is_part }
-            };
+            let unfit = |why, is_part| unplaced_entry(document, number, why, is_part);
             let known = self.known.get(&entry.id).filter(|known| known.entry == *entry);
             lines += known.map_or(f64::INFINITY, |known| known.lines);
             match known.map(|known| &known.places) {
+                _ if gone.contains_key(&number) => {
+                    unplaced.extend(gone.get(&number).map(|why| unfit(why.clone(), false)));
+                }
                 Some(Err(why)) => unplaced.push(unfit(why.clone(), false)),
                 Some(Ok(places)) if lines <= LINES_TOGETHER || entry.places.is_empty() => {
                     unplaced.extend(places.parts.iter().map(|part| unfit(part.clone(), true)));
                     let own = add(entry, &mut strings, &mut rows);
-                    for (lane, s_from, s_to) in &places.holds.stretches {
+                    own_places.push((number, places_in_all as usize, places.ends.len()));
+                    for (i, (lane, s_from, s_to)) in places.holds.stretches.iter().enumerate() {
                         let Ok(lane) = map.lane(*lane) else { continue };
-                        mark(&Stretch { lane, s_from: *s_from, s_to: *s_to }, own, &mut marks);
+                        let before = places.ends.partition_point(|end| *end as usize <= i);
+                        let [s_from, s_to] = [*s_from, *s_to];
+                        let place = places_in_all + before as u32;
+                        mark(&lane, Mark { s_from, s_to, entry: own, place }, &mut marks);
                     }
+                    places_in_all += places.ends.len() as u32;
                     let of_signal = |signal: &u32| SignalEntryRow { signal: *signal, entry: own };
                     rows.signal_entries.extend(places.holds.signals.iter().map(of_signal));
                 }
@@ -160,14 +188,26 @@ impl Placements {
                 }
             }
         }
-        self.forget(document);
         rows.signal_entries.sort_by_key(|row| (row.signal, row.entry));
-        pieces::fill(map, &marks, &mut rows);
+        let mut held = vec![false; places_in_all as usize];
+        pieces::fill(map, &marks, &mut rows, &mut held);
+        let mut more = BTreeMap::new();
+        for (number, first, count) in own_places {
+            let own = held.get(first..first + count).unwrap_or_default();
+            let lost = own.iter().enumerate().filter(|(_, is_held)| !**is_held);
+            let mut lost = lost.map(|(place, _)| too_short(document, number, place));
+            if own.iter().any(|is_held| *is_held) {
+                unplaced.extend(lost.map(|why| unplaced_entry(document, number, why, true)));
+            } else if let Some(first) = lost.next() {
+                more.insert(number, first);
+            }
+        }
+        unplaced.sort_by_key(|unfit| unfit.number);
         let row = raised(map, &rows);
         rows.overlay.push(row);
         let (bytes, offsets) = strings.into_tables();
         (rows.string_bytes, rows.string_offsets) = (bytes.into(), offsets.into());
-        Resolved { rows, unplaced }
+        (Resolved { rows, unplaced }, more)
     }
 
     /// Forgets what a document does not have, once that is much.
@@ -179,13 +219,31 @@ impl Placements {
     }
 }
 
+/// An entry of a document that does not fit, or a part of it.
+fn unplaced_entry(
+    document: &Document,
+    number: usize,
+    (field, why): Unfit,
+    is_part: bool,
+) -> Unplaced {
+    let id = document.entries.get(number).map(|entry| entry.id.clone()).unwrap_or_default();
+    Unplaced { id, number, field, why, is_part }
+}
+
+/// A place of an entry of which nothing is left where lanes are cut.
+fn too_short(document: &Document, number: usize, place: usize) -> Unfit {
+    let field = document.entries.get(number).map(|entry| field(entry, place));
+    let why = format!(
+        "too short to be cut out of a lane: within {SHORTEST_PIECE} m there is a section's end or that of another entry"
+    );
+    (field.unwrap_or_default(), why)
+}
+
 /// Marks the nodes that a stretch of a lane touches.
-fn mark(stretch: &Stretch<'_>, entry: u32, marks: &mut Marks) {
-    let Stretch { lane, s_from, s_to } = stretch;
+fn mark(lane: &Lane<'_>, mark: Mark, marks: &mut Marks) {
     for node in lane.nodes() {
         let SRange { low: start, high: end } = node.s_range();
-        if start.max(*s_from) < end.min(*s_to) {
-            let mark = Mark { s_from: *s_from, s_to: *s_to, entry };
+        if start.max(mark.s_from) < end.min(mark.s_to) {
             marks.entry(node.node_id().row()).or_default().push(mark);
         }
     }

@@ -51,11 +51,28 @@ impl<'a> Ground<'a> {
     }
 }
 
+/// The stretches of all places of an entry.
+pub(crate) struct OfPlaces<'a> {
+    pub(crate) placed: Placed<'a>,
+    /// Where the stretches of each place end, in the order of [`field`].
+    pub(crate) ends: Vec<u32>,
+}
+
+/// The field of an entry that one of its places was given in, by its number: places on Earth come first, then lanes, then objects.
+pub(crate) fn field(entry: &Entry, number: usize) -> String {
+    let [places, lanes] = [entry.places.len(), entry.places.len() + entry.lanes.len()];
+    match number {
+        _ if number < places => format!("places[{number}]"),
+        _ if number < lanes => format!("lanes[{}].s", number - places),
+        _ => format!("objects[{}]", number - lanes),
+    }
+}
+
 /// All stretches of an entry, and what of it could not be placed.
 ///
 /// Errors: the first place that the map does not have.
-pub(crate) fn stretches<'a>(ground: &Ground<'a>, entry: &Entry) -> Result<Placed<'a>, Unfit> {
-    let (map, mut found, mut parts) = (ground.map, Vec::new(), Vec::new());
+pub(crate) fn stretches<'a>(ground: &Ground<'a>, entry: &Entry) -> Result<OfPlaces<'a>, Unfit> {
+    let (map, mut found, mut parts, mut ends) = (ground.map, Vec::new(), Vec::new(), Vec::new());
     for (i, place) in entry.places.iter().enumerate() {
         let named = |(field, why): Unfit| (format!("places[{i}].{field}"), why);
         let none = |why| (format!("places[{i}]"), why);
@@ -63,10 +80,12 @@ pub(crate) fn stretches<'a>(ground: &Ground<'a>, entry: &Entry) -> Result<Placed
         let placed = on_earth(map, &ground.lines, projector, place).map_err(named)?;
         found.extend(placed.stretches);
         parts.extend(placed.parts.into_iter().map(named));
+        ends.push(found.len() as u32);
     }
     for (i, place) in entry.lanes.iter().enumerate() {
         of_lanes(map, place, &mut found)
             .map_err(|(field, why)| (format!("lanes[{i}].{field}"), why))?;
+        ends.push(found.len() as u32);
     }
     for (i, id) in entry.objects.iter().enumerate() {
         let unfit = |why: &str| (format!("objects[{i}]"), why.to_owned());
@@ -83,8 +102,9 @@ pub(crate) fn stretches<'a>(ground: &Ground<'a>, entry: &Entry) -> Result<Placed
         if found.len() == before {
             return Err(unfit("the object lies on no lane"));
         }
+        ends.push(found.len() as u32);
     }
-    Ok(Placed { stretches: found, parts })
+    Ok(OfPlaces { placed: Placed { stretches: found, parts }, ends })
 }
 
 fn of_lanes<'a>(

@@ -4,7 +4,7 @@ use crate::document::Document;
 use crate::entry::{Entry, Kind};
 use crate::on_earth::Placed;
 use crate::placements::Placements;
-use crate::places::{Ground, Stretch, Unfit, stretches};
+use crate::places::{Ground, OfPlaces, Stretch, Unfit, stretches};
 use mapd_archive::{
     OverlayEntryRow, OverlayKind, OverlayRow, OverlayRows, Range, StringTable, VehicleClass,
     WeeklyRow,
@@ -31,7 +31,7 @@ pub struct Unplaced {
     pub field: String,
     /// Why.
     pub why: String,
-    /// Whether this is so of a part of a line only; the rest of the entry holds.
+    /// Whether this is so of a part of a line, or of one of several places, only; the rest of the entry holds.
     pub is_part: bool,
 }
 
@@ -51,6 +51,8 @@ pub fn resolve(map: Map<'_>, document: &Document, policy: Policy) -> Resolved {
 /// Where an entry holds.
 pub(crate) struct Found<'a> {
     pub(crate) stretches: Vec<Stretch<'a>>,
+    /// As in [`OfPlaces`].
+    pub(crate) ends: Vec<u32>,
     pub(crate) signals: Vec<u32>,
     pub(crate) parts: Vec<Unfit>,
 }
@@ -63,7 +65,7 @@ pub(crate) fn place<'a>(
     entry: &Entry,
     policy: Policy,
 ) -> Result<Found<'a>, Unfit> {
-    let Placed { stretches, parts } = stretches(ground, entry)?;
+    let OfPlaces { placed: Placed { stretches, parts }, ends } = stretches(ground, entry)?;
     let mut signals = Vec::new();
     for (i, id) in entry.signals.iter().enumerate() {
         let known = ground.map.signal_by_id(id);
@@ -73,7 +75,7 @@ pub(crate) fn place<'a>(
     if !policy.may_loosen {
         loosens(entry, &stretches).map_or(Ok(()), Err)?;
     }
-    Ok(Found { stretches, signals, parts })
+    Ok(Found { stretches, ends, signals, parts })
 }
 
 /// What an entry allows that the map does not.

@@ -67,6 +67,8 @@ mod overlays_paths;
 mod overlays_same_ways;
 mod overlays_schema;
 // Feeds of work zones: every word that the specification of WZDx 4.2 lists becomes an entry or a finding.
+// Places that are too short to be cut out of a lane: each holds somewhere or is told, never neither.
+mod overlays_short;
 mod overlays_wzdx;
 // What lies along a path: lanes that reach the goal, speed limits, signals, lines, junctions.
 mod path_ahead;

@@ -190,7 +190,11 @@ impl OverlayCommand {
             feed = feed.or_else(|| Some(file.file_name()?.to_string_lossy().into_owned()));
         }
         if document.len() > LONGEST {
-            bail!(UsageError(format!("{}: longer than {LONGEST} bytes", file.display())));
+            let found = document.len();
+            bail!(UsageError(format!(
+                "{}: {found} bytes of entries; at most {LONGEST} are taken, whatever --overlay-bytes says",
+                file.display()
+            )));
         }
         Ok((self.ask(OverlayAction::Apply { document, feed, signature })?, findings))
     }
