@@ -1,5 +1,5 @@
 //! What changes today's road, in time: from publishing an overlay, and from asking a daemon for it, until a waiting reader has it; asking for news where there is none; and
-//! compiling a map with a patch against without. Fails where a reader waits longer for one entry than a wide limit.
+//! compiling a map with a patch against without. Fails where a reader waits longer than a millisecond, in the median, for an overlay of up to 1,000 entries.
 
 use mapd::control::{OverlayAction, Request, Response, ask};
 use mapd::serve::{OverlayBytes, PublishMeta, Server, StopSignal};
@@ -27,7 +27,9 @@ const WAIT: Duration = Duration::from_secs(60);
 const BLOCKS: usize = 48;
 /// Entries of overlays.
 const ENTRIES: [usize; 3] = [1, 1_000, 10_000];
-/// Longest median from publishing one entry until a waiting client has it: ten times what it takes on two cores that have other work.
+/// Most entries for which [`LATEST`] holds: writing the file of more takes longer by itself.
+const PROMPT: usize = 1_000;
+/// Longest median from publishing an overlay until a waiting client has it.
 const LATEST: Duration = Duration::from_millis(1);
 /// Overlays that a daemon is asked for.
 const ASKED: u64 = 200;
@@ -47,11 +49,14 @@ fn main() -> ExitCode {
     for (name, path) in maps(folder.path()) {
         patching(name, &path, folder.path());
     }
-    if medians[0] > LATEST {
-        print(&format!("one entry: EXCEEDED, at most {LATEST:?}"));
-        return ExitCode::FAILURE;
+    let mut code = ExitCode::SUCCESS;
+    for (entries, median) in ENTRIES.into_iter().zip(medians) {
+        if entries <= PROMPT && median > LATEST {
+            print(&format!("{entries} entries: EXCEEDED, at most {LATEST:?} in the median"));
+            code = ExitCode::FAILURE;
+        }
     }
-    ExitCode::SUCCESS
+    code
 }
 
 /// From just before a daemon is asked for an entry until a client that waits has it: reading, resolving and the synced write of the state are in between. And what a client

@@ -35,6 +35,7 @@ mod overlays_signed;
 mod overlays_followed;
 // Overlays and new generations: readers have what belongs together, under swaps, stages, and changes of the overlay in between.
 mod overlays_swapped;
+mod overlays_wrong;
 mod oversight;
 // What changes geometry is a patch: compiled with the map and swapped in as a generation.
 mod patches;

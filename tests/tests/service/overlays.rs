@@ -1,6 +1,5 @@
 //! What is laid over a served map: readers see it, it outlives the daemon, and comes with each new generation at once.
 
-use mapd::control::{OverlayAction, Request, Response};
 use mapd_client::view::OverlayKind;
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Attach, Client, Snapshot};
@@ -227,90 +226,35 @@ fn routes_heed_it() {
     assert_eq!(query.expect("ends").status.code(), Some(2));
 }
 
-/// What is wrong is refused whole: by 2; where there is no daemon, by 1.
+/// Commands say which entries hold at a moment; one that has ended goes at the next change.
 #[test]
-fn what_is_wrong() {
-    let scene = Scene::new();
-    let refused = |daemon: bool| {
-        let none = if daemon { 2 } else { 1 };
-        scene.ends(&["apply", "-"], "{", none);
-        scene.ends(&["remove", "x"], "", none);
-        scene.ends(&["show", "x"], "", none);
-        scene.ends(&["list", "--at", "soon"], "", 2);
-        scene.ends(&["apply", "/no/such/file"], "", 1);
-    };
-    refused(false);
-    let _daemon = scene.place.serve(&scene.args());
-    scene.ends(&["apply", "-"], &closed("works", -1), 0);
-    refused(true);
-    let mut half = closed("more", -1).replace("]}]}", "]},");
-    half += r#"{"id":"far","kind":"closed","lanes":[{"road":"99999"}]}]}"#;
-    let said = scene.ends(&["apply", "-"], &half, 2);
-    assert!(said.contains("\"far\"") && said.contains("lanes[0].road"), "{said}");
-    let opens = closed("opens", -1).replace("closed", "open");
-    assert!(scene.ends(&["apply", "-"], &opens, 2).contains("--overlay-may-loosen"));
-    let long = closed("long", -1).replace("works", &"x".repeat(5 << 20)) + &" ".repeat(5 << 20);
-    assert!(scene.ends(&["apply", "-"], &long, 2).contains("bytes"));
-    // Too short where others begin and end.
-    let near = [("a", "[10,20]"), ("b", "[20.07,20.17]"), ("c", "[20.1,30]")].map(|(id, s)| {
-        let one = closed(id, -1).replace("[10,20]", s);
-        let own = one.strip_prefix(r#"{"entries":["#).and_then(|one| one.strip_suffix("]}"));
-        own.expect("an entry").to_owned()
-    });
-    let near = format!(r#"{{"entries":[{}]}}"#, near.join(","));
-    let said = scene.ends(&["apply", "-"], &near, 2);
-    assert!(said.contains("\"b\", lanes[0].s: too short to be cut out"), "{said}");
-    let list = scene.list();
-    assert_eq!(list["entries"].as_array().map(Vec::len), Some(1));
-    assert_eq!(list["entries"][0]["id"], "works");
-}
-
-/// Megabytes of entries, each of them right: refused whole where they are too long or too many, and where the last of them is wrong, by its name and field.
-#[test]
-fn megabytes_of_entries_are_refused_whole() {
+fn entries_hold_at_moments() {
     let scene = Scene::new();
     let _daemon = scene.place.serve(&scene.args());
-    scene.ends(&["apply", "-"], &closed("works", -1), 0);
-    let before = scene.list();
-    let document = |entries: usize, text: usize, last: &str| {
-        let text = "cable works ".repeat(text);
-        let all = (0..entries).map(|i| {
-            let road = if i + 1 == entries { last } else { "1" };
-            format!(
-                r#"{{"id":"entry {i}","kind":"closed","text":"{text}","lanes":[{{"road":"{road}","s":[10,20],"lane":-1}}]}}"#
-            )
-        });
-        format!(r#"{{"entries":[{}]}}"#, all.collect::<Vec<_>>().join(","))
-    };
-    let file = scene.folder.path().join("many.json");
-    let refused = |document: &str, words: &[&str]| {
-        fs::write(&file, document).expect("written");
-        let said = scene.ends(&["apply", file.to_str().expect("a name")], "", 2);
-        assert!(words.iter().all(|words| said.contains(words)), "{said}");
-        assert_eq!(scene.list(), before);
-    };
-    // Few long ones, and many short ones.
-    for (entries, text) in [(9_000, 90), (100_000, 1)] {
-        let long = document(entries, text, "1");
-        assert!(long.len() > 10_000_000, "{}", long.len());
-        let found = format!("{} bytes", long.len());
-        refused(&long, &[&found, "at most 5242880", "--overlay-bytes"]);
-        // The daemon itself, whoever sends them.
-        let action = OverlayAction::Apply { document: long, feed: None, signature: None };
-        let request = Request::Overlay { map: "town".to_owned(), action };
-        let reason = match scene.place.ask("town", &request) {
-            Some(Response::Wrong { reason }) => reason,
-            other => panic!("{other:?}"),
-        };
-        let at_most = "at most 4194304 are taken (--overlay-bytes)";
-        assert!(reason.contains(&found) && reason.contains(at_most), "{reason}");
-        assert_eq!(scene.list(), before);
+    let times = r#""from":"2030-01-01T00:00:00Z","until":"2031-01-01T00:00:00Z","kind""#;
+    scene.ends(&["apply", "-"], &closed("works", -1).replace(r#""kind""#, times), 0);
+    for (at, state) in [
+        ("2029-12-31T23:59:59Z", "waiting"),
+        ("2030-01-01T00:00:00Z", "active"),
+        ("1924991999", "active"),
+        ("2031-01-01T00:00:00Z", "ended"),
+    ] {
+        let list = scene.ends(&["list", "--json", "--at", at], "", 0);
+        let list: Value = serde_json::from_str(&list).expect("JSON");
+        assert_eq!(list["entries"][0]["state"], state, "{at}");
+        assert!(scene.ends(&["list", "--at", at], "", 0).starts_with(state), "{at}");
+        let shown = scene.ends(&["show", "works", "--at", at], "", 0);
+        let shown: Value = serde_json::from_str(&shown).expect("JSON");
+        assert_eq!(shown["state"], state, "{at}");
     }
-    let many = document(10_001, 1, "1");
-    refused(&many, &["10001 entries; at most 10000 are taken (--overlay-entries)"]);
-    let wrong = document(9_999, 24, "99999");
-    assert!(wrong.len() > 3_500_000 && wrong.len() < 4 << 20, "{}", wrong.len());
-    refused(&wrong, &["entry \"entry 9998\", lanes[0].road", "no road \"99999\""]);
+    let past = closed("past", 1).replace(r#""kind""#, r#""until":"2020-01-01T00:00:00Z","kind""#);
+    scene.ends(&["apply", "-"], &past, 0);
+    assert_eq!(scene.list()["entries"][1]["state"], "ended");
+    scene.ends(&["apply", "-"], &closed("more", 1), 0);
+    let list = scene.list();
+    let ids: Vec<_> =
+        list["entries"].as_array().expect("a list").iter().map(|e| &e["id"]).collect();
+    assert_eq!(ids, ["works", "more"]);
 }
 
 /// It outlives a daemon that ends, and one that is killed, and is there with the first generation of the next.
