@@ -176,6 +176,54 @@ fn what_is_staged_comes_with_what_is_said_when_it_is_activated() {
     });
 }
 
+/// An archive whose file is written over in place: as generation before it is left out when going back, as what is staged it is served all the same, both under an overlay.
+#[test]
+fn what_is_written_over_is_no_obstacle() {
+    let scene = Scene::new();
+    let archives = ["a", "b", "c"].map(|name| scene.folder.path().join(name));
+    for (archive, (columns, rows)) in archives.iter().zip([(3, 3), (3, 2), (4, 2)]) {
+        fs::write(&scene.map, town(columns, rows)).expect("written");
+        let mut command = scene.place.command();
+        command.args(["compile", scene.args()[0], "-o"]).arg(archive);
+        assert!(command.output().expect("ends").status.success());
+    }
+    let served = scene.folder.path().join("town.mapd");
+    let put = |number: usize| fs::rename(&archives[number], &served).expect("renamed");
+    put(0);
+    let _daemon = scene.place.serve(&[served.to_str().expect("a name")]);
+    let change = |request: Request| {
+        let report = scene.place.change("town", &request);
+        assert_ne!(report.result, ReloadResult::Failed, "{report:?}");
+        report
+    };
+    let town = || "town".to_owned();
+    scene.ends(&["apply", "-"], &numbered("1", 0), 0);
+    scene.ends(&["apply", "-"], &numbered("12", 0), 0);
+    let own = scene.client(Attach::Observer);
+    let roads = || {
+        let snapshot = own.refresh().expect("the newest");
+        assert_eq!(said(&snapshot), 0);
+        snapshot.map().roads().count()
+    };
+    let first = roads();
+    // Kept open by the daemon, under another name here.
+    let aside = scene.folder.path().join("aside");
+    put(1);
+    change(Request::Reload { map: town(), stage: false });
+    let second = roads();
+    fs::rename(&served, &aside).expect("renamed");
+    put(2);
+    change(Request::Reload { map: town(), stage: true });
+    fs::write(&served, "written over").expect("written");
+    assert_eq!(roads(), second);
+    change(Request::Activate { map: town() });
+    assert_ne!(roads(), second, "what was staged");
+    fs::write(&aside, "written over").expect("written");
+    let report = change(Request::Rollback { map: town(), stage: false });
+    assert!(report.reason.contains("is lost"), "{report:?}");
+    assert_eq!(roads(), first, "what was before what is lost");
+}
+
 /// Applies, readers and swaps of the short form; `MAPD_OVERLAYS=1000,16,50` is the long one.
 const STORM: [usize; 3] = [100, 4, 5];
 const VARIABLE: &str = "MAPD_OVERLAYS";

@@ -230,10 +230,10 @@ impl Maps {
 
     fn activate(&mut self, map: &str) -> Outcome {
         let staged = self.entries.get(map).and_then(|entry| entry.staged.as_ref());
-        let archive = staged.map(|(kept, _)| kept.archive.clone());
-        let overlay = archive.map(|archive| self.overlays.for_next(map, &archive)).transpose();
-        let activated =
-            overlay.and_then(|overlay| self.server.activate_under(map, overlay.flatten().as_ref()));
+        let Some(archive) = staged.map(|(kept, _)| kept.archive.clone()) else {
+            return (ReloadResult::Failed, None, "nothing is staged".to_owned());
+        };
+        let activated = self.activate_staged(map, &archive);
         let generation = match activated {
             Ok(generation) => generation,
             Err(error) => {

@@ -8,6 +8,7 @@ use mapd_archive::AlignedBytes;
 use mapd_client::{Attach, Client, Map};
 use mapd_overlay::{Document, Holds, Placements, Policy, Resolved};
 use mapd_transport::Domain;
+use std::io;
 use std::os::unix::fs::FileExt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -17,6 +18,9 @@ const CONTENTS: usize = 2;
 
 /// How long the daemon waits for its own map: it is there.
 pub(super) const OWN_MAP: Duration = Duration::from_secs(2);
+
+/// Why an archive is not served whose file was written over.
+pub(super) const CHANGED: &str = "the file has changed since it was prepared";
 
 /// Shared by the daemon's threads.
 pub(crate) struct Desk {
@@ -63,7 +67,8 @@ impl Desk {
         let document = self.maps().get(name).map(|own| own.document.clone()).unwrap_or_default();
         if !document.entries.is_empty() {
             // What cannot be read is told when it is published.
-            let _ = on_archive(archive, |map| self.place(name, map, &document));
+            let read = |bytes: &mut [u8]| read_file(archive, bytes);
+            let _ = on_archive(name, archive, read, |map| self.place(name, map, &document));
         }
     }
 
@@ -123,18 +128,30 @@ impl Desk {
     }
 }
 
-/// Reads an archive that is not served yet, and does something with its map.
+/// Reads an archive that is not served yet from its file.
 ///
-/// Errors: it cannot be read.
+/// Errors: what the system says.
+pub(super) fn read_file(archive: &Prepared, bytes: &mut [u8]) -> io::Result<()> {
+    archive.file.read_exact_at(bytes, 0)
+}
+
+/// Does something with the map of an archive that is not served yet, whose bytes `read` gives.
+///
+/// Errors: they cannot be read, or are not those that were prepared.
 pub(super) fn on_archive<T>(
+    name: &str,
     archive: &Prepared,
+    read: impl FnOnce(&mut [u8]) -> io::Result<()>,
     work: impl FnOnce(Map<'_>) -> T,
 ) -> Result<T, ServeError> {
-    let fail = |error| ServeError::iceoryx("laying the overlay over the map")(error);
+    let fail = |error| ServeError::Fill { map: name.to_owned(), error };
     let length = usize::try_from(archive.length).unwrap_or(usize::MAX);
     let mut bytes = AlignedBytes::with_capacity(length);
     bytes.resize(length, 0);
-    archive.file.read_exact_at(&mut bytes, 0).map_err(|error| fail(error.to_string()))?;
-    let opened = mapd_archive::open(&bytes).map_err(|error| fail(error.to_string()))?;
+    read(&mut bytes).map_err(|error| fail(error.into()))?;
+    let opened = mapd_archive::open(&bytes).map_err(|error| fail(error.into()))?;
+    if opened.header != archive.header {
+        return Err(fail(CHANGED.into()));
+    }
     Ok(work(Map::new(&opened, 0)))
 }

@@ -1,7 +1,8 @@
 //! What the daemon serves: each map's generations, and those to go back to.
 
 use super::ByName;
-use super::overlays::Overlays;
+use super::desk::{CHANGED, read_file};
+use super::overlays::{Next, Overlays};
 use super::prepare::{Prepared, Preparer};
 use super::settings::MapSettings;
 use super::watch::WatchList;
@@ -110,8 +111,7 @@ impl Maps {
                 if is_stopped() {
                     return Ok(FirstServing::Stopped { served });
                 }
-                let overlay = self.overlays.for_next(&map.name, &kept.archive)?;
-                self.server.activate_under(&map.name, overlay.as_ref())?;
+                self.activate_staged(&map.name, &kept.archive)?;
                 kept.status.published_unix_ns = unix_ns();
             }
             self.began(map, kept);
@@ -204,7 +204,7 @@ impl Maps {
             archive.prove_signature(self.preparer.trust.as_ref(), loan)?;
             let proved = verify(loan)?;
             if proved.header != archive.header {
-                return Err("the file has changed since it was prepared".into());
+                return Err(CHANGED.into());
             }
             // It is served all the same: its tables may be of use to clients of other releases.
             for unknown in mapd_archive::unknown(loan)? {
@@ -219,8 +219,10 @@ impl Maps {
         let generation = match stage {
             true => self.server.stage(map, length, fill),
             false => {
-                let overlay = self.overlays.for_next(map, archive)?;
-                self.server.publish_under(map, length, fill, overlay.as_ref())
+                let read = |bytes: &mut [u8]| read_file(archive, bytes);
+                let Next { bytes, unplaced } = self.overlays.for_next(map, archive, read)?;
+                let published = self.server.publish_under(map, length, fill, bytes.as_ref());
+                published.inspect(|_| self.overlays.took(map, unplaced))
             }
         }?;
         Ok(GenerationStatus {
@@ -232,6 +234,20 @@ impl Maps {
             from_cache: archive.from_cache,
             counts,
         })
+    }
+
+    /// Serves what is staged, with what is laid over it: resolved against the bytes that wait, whatever has become of their file. Its generation.
+    ///
+    /// Errors: as [`Server::activate_under`]; the bytes cannot be read.
+    pub(super) fn activate_staged(
+        &mut self,
+        map: &str,
+        archive: &Prepared,
+    ) -> Result<u64, ServeError> {
+        let read = |bytes: &mut [u8]| self.server.read_staged(map, bytes);
+        let Next { bytes, unplaced } = self.overlays.for_next(map, archive, read)?;
+        let activated = self.server.activate_under(map, bytes.as_ref());
+        activated.inspect(|_| self.overlays.took(map, unplaced))
     }
 
     /// Notes that a generation is served now. `back`: it was served before, and what comes after it is forgotten.

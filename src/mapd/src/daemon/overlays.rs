@@ -15,6 +15,7 @@ use mapd_archive::{HEADER_LENGTH, Header, encode_overlay};
 use mapd_client::{Attach, Client, Map, TrustedKey};
 use mapd_overlay::{Document, Limits, Moment, Policy, Unplaced};
 use mapd_transport::{Domain, replace_text_durably};
+use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
@@ -80,6 +81,13 @@ impl Reader {
     }
 }
 
+/// What is to be laid over a generation that is about to be served.
+#[derive(Default)]
+pub(super) struct Next {
+    pub(super) bytes: Option<OverlayBytes>,
+    pub(super) unplaced: Vec<Unplaced>,
+}
+
 /// What is laid over all maps.
 pub(super) struct Overlays {
     rules: OverlayRules,
@@ -137,22 +145,27 @@ impl Overlays {
         replace_text_durably(&path, state).context("keeping what is laid over the map")
     }
 
-    /// The overlay of a generation that is about to be served; none where nothing is said.
+    /// The overlay of a generation that is about to be served, whose bytes `read` gives; none where nothing is said. [`Overlays::took`] is told once it is served.
     ///
     /// Errors: the archive cannot be read.
     pub(super) fn for_next(
         &mut self,
         map: &str,
         archive: &Prepared,
-    ) -> Result<Option<OverlayBytes>, ServeError> {
-        let Some(kept) = self.maps.get_mut(map) else { return Ok(None) };
+        read: impl FnOnce(&mut [u8]) -> io::Result<()>,
+    ) -> Result<Next, ServeError> {
+        let Some(kept) = self.maps.get_mut(map) else { return Ok(Next::default()) };
         kept.document.forget_ended(now());
         if kept.document.entries.is_empty() {
-            kept.unplaced.clear();
-            return Ok(None);
+            return Ok(Next::default());
         }
         let desk = &self.desk;
-        let (overlay, unplaced) = on_archive(archive, |next| make(desk, map, next, kept))?;
+        let made = on_archive(map, archive, read, |next| make(desk, map, next, kept));
+        made.map(|(bytes, unplaced)| Next { bytes, unplaced })
+    }
+
+    /// Notes, and tells, what does not fit the generation that is served from now on.
+    pub(super) fn took(&mut self, map: &str, unplaced: Vec<Unplaced>) {
         for unfit in &unplaced {
             tracing::warn!(
                 map,
@@ -164,8 +177,9 @@ impl Overlays {
                 unfit.why
             );
         }
-        kept.unplaced = unplaced;
-        Ok(overlay)
+        if let Some(kept) = self.maps.get_mut(map) {
+            kept.unplaced = unplaced;
+        }
     }
 }
 

@@ -13,8 +13,8 @@ use super::served_map::{Current, MapPublisher};
 use super::server::Server;
 use crate::clock::unix_ns;
 use mapd_transport::{
-    AttachGuard, GenerationInfo, SHARED_MEMORY_FOLDER, SegmentLocation, chunks_for, remove_staged,
-    write_staged,
+    AttachGuard, Chunk64, GenerationInfo, SHARED_MEMORY_FOLDER, SegmentLocation, chunks_for,
+    remove_staged, write_staged,
 };
 use std::error::Error;
 use std::fs::File;
@@ -140,6 +140,20 @@ impl Server {
         let sent = self.send(map, staged, overlay).map_err(memory::or_shortage);
         self.tell_if_failed("removing the record", remove_staged(&self.domain, map));
         sent
+    }
+
+    /// Copies the bytes of what is staged.
+    ///
+    /// Errors: nothing is, or less than these.
+    pub fn read_staged(&self, map: &str, bytes: &mut [u8]) -> io::Result<()> {
+        let chunks = self.staged.get(map).map_or(&[][..], |staged| staged.sample.payload());
+        if size_of_val(chunks) < bytes.len() {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        }
+        for (own, chunk) in bytes.chunks_mut(size_of::<Chunk64>()).zip(chunks) {
+            own.iter_mut().zip(chunk.0).for_each(|(own, byte)| *own = byte);
+        }
+        Ok(())
     }
 
     /// Gives up what is staged, if anything is.
