@@ -44,13 +44,13 @@ mod progress;
 mod promises;
 // The README's first screen prints what the README says that it prints.
 mod readme;
-// What the program says of itself: help, completions and man pages.
-mod shell;
-// `mapd compile` of many files: one archive and one report each, whatever becomes of the others.
 // Sentences of the pages and of `--help` are short enough to be read once.
 mod sentences;
+// What the program says of itself: help, completions and man pages.
+mod shell;
 // What people see on a terminal: colours where they are wanted, and lines of help that fit.
 mod terminal;
+// `mapd compile` of many files: one archive and one report each, whatever becomes of the others.
 mod tiles;
 // What `docs/tiles.md` shows works word for word: the rule for make, the line for GNU parallel, the command of a pod.
 mod tiles_page;

@@ -12,9 +12,9 @@ mod lowering_ahead;
 mod patches;
 // Reading in batches gives the items and findings of reading one element after the other, wherever the text is cut.
 mod reading_ahead;
-// The same archive, whatever form the map comes in and however many threads compile it.
 // The compiler's modules import each other only in the order that ARCHITECTURE.md states.
 mod rooms;
+// The same archive, whatever form the map comes in and however many threads compile it.
 mod same_archive;
 // Surfaces as files write them: the same heights as worked out in `surfaces.rs`.
 mod surface_files;

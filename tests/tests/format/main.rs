@@ -6,9 +6,9 @@ mod constant_time;
 mod corruption;
 // What is compiled is proved.
 mod extremes;
-// One test for each defect that was found after the fact.
 // What is compared of kept archives is complete: each field of each table changes a line of the texts beside them.
 mod facts;
+// One test for each defect that was found after the fact.
 mod regressions;
 // Archives of releases of other ages: what this one does not know is left alone, what it would misread is refused by name.
 mod releases;

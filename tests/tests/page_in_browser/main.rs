@@ -7,9 +7,9 @@ mod actions;
 mod answers;
 // What the page draws.
 mod drawing;
-// The page of `mapd view`: it follows what a daemon serves, without being loaded again.
 // What was found in a file, as its page lists it.
 mod findings;
+// The page of `mapd view`: it follows what a daemon serves, without being loaded again.
 mod live;
 // The page on a phone: a small screen, and fingers.
 mod touch;

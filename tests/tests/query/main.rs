@@ -58,35 +58,35 @@ mod overlays;
 mod overlays_lines;
 // A view over a plain map answers as a map with the same written into its OpenDRIVE.
 mod overlays_oracle;
-// Overlays: places by latitude and longitude, and feeds of road authorities.
-mod overlays_places;
-// The schema of entries that is published says what the reader reads.
 // What a view says along routes and paths: entries that are met, today's limits and times, where a change of lane is due.
 mod overlays_paths;
+// Overlays: places by latitude and longitude, and feeds of road authorities.
+mod overlays_places;
 // Whether a view and a map with the same written into it find the same ways, and say the same along one path.
 mod overlays_same_ways;
+// The schema of entries that is published says what the reader reads.
 mod overlays_schema;
-// Feeds of work zones: every word that the specification of WZDx 4.2 lists becomes an entry or a finding.
 // Places that are too short to be cut out of a lane: each holds somewhere or is told, never neither.
 mod overlays_short;
+// Feeds of work zones: every word that the specification of WZDx 4.2 lists becomes an entry or a finding.
 mod overlays_wzdx;
 // What lies along a path: lanes that reach the goal, speed limits, signals, lines, junctions.
 mod path_ahead;
 // Changes of lane as a curve over a length.
 mod path_changes;
-// Feet on a path without a hint: the nearest place of all.
 // Nothing along a path is left out and nothing is told that is not there: what another way of asking collects, lane by lane and place by place.
 mod path_complete;
+// Feet on a path without a hint: the nearest place of all.
 mod path_feet;
 // What the line of a path is: how far its parts lie apart, how it bends and rolls, and which of two rounds is meant.
 mod path_joints;
 // Who meets a path: lanes that merge into it, lanes of other roads at the same place, crosswalks, and the lanes that lead there.
 mod path_meets;
-// The room along a path: marks, what lies beyond, speed, surface, outline.
 // Every lane that meets a path is told: those that another way of asking finds.
 mod path_met_all;
 // A path on another version of its map.
 mod path_rebase;
+// The room along a path: marks, what lies beyond, speed, surface, outline.
 mod path_room;
 // Paths over lists of lanes that somebody has made, how long they take, and the facts of roads along them.
 mod path_steps;
@@ -102,9 +102,9 @@ mod reach;
 mod reference;
 // Lanes and borders near a point or in a rectangle, against looking at every lane.
 mod regions;
-// Roads above, beside and around each other: the right one wins.
 // Who goes first: what is written, else what the country says that the caller names; nothing is taken from geometry alone.
 mod right_of_way;
+// Roads above, beside and around each other: the right one wins.
 mod right_road;
 // Road marks: what the file says of them is what the map answers.
 mod road_marks;

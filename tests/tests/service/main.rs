@@ -28,14 +28,15 @@ mod observers;
 mod observers_hostile;
 // What is laid over a served map: readers see it, it outlives the daemon, and comes with each new generation at once.
 mod overlays;
-// Signed entries of overlays: what the trusted key signed is laid over the map and kept, everything else is refused with its reason.
-mod overlays_signed;
-// What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
 // `mapd overlay NAME apply --watch`: what a fetcher writes is laid over the map for as long as it says so.
 mod overlays_followed;
+// Signed entries of overlays: what the trusted key signed is laid over the map and kept, everything else is refused with its reason.
+mod overlays_signed;
 // Overlays and new generations: readers have what belongs together, under swaps, stages, and changes of the overlay in between.
 mod overlays_swapped;
+// What is wrong with entries: refused whole, with the entry and the field, or the limit; what is served stays.
 mod overlays_wrong;
+// What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
 mod oversight;
 // What changes geometry is a patch: compiled with the map and swapped in as a generation.
 mod patches;
