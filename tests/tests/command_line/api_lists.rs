@@ -27,7 +27,6 @@ const EXHAUSTIVE: &[(&str, &str)] = &[
     ("mapd_query::rules::LineSource", "a map has signals and objects; C has both"),
     ("mapd_query::rules::Turn", "four directions; a planner handles all"),
     ("mapd_rules::Grade", "a rule is off, or has a severity"),
-    ("mapd_transport::Share", "a map is its owner's, or also a group's"),
     ("mapd_xodr::Severity", "an order, in which a caller compares"),
 ];
 
