@@ -42,7 +42,7 @@ const PATH_BOUNDS: [(&str, u64); 10] = [
     ("build", 727_000),
     ("corridor", 184_400),
     ("surface", 556_800),
-    ("segments", 11_450),
+    ("segments", 14_140),
     ("conflicts", 1_290_000),
     ("request", 33_300),
     ("alternatives", 135_200),
