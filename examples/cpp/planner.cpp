@@ -1,5 +1,6 @@
 // A planner's cycle: wait for the map, find the lane, find a route, and ask it as a path: where am I, what is the room, who has to
-// give way and where, how fast. Follows the map when it is swapped. Says word for word what the Rust example of this name says.
+// give way and where, how fast. Follows the map when it is swapped. Says what the Rust example of this name says of a path without
+// signals and changes of lane; after a swap it finds its route anew.
 //
 // planner MAP X Y ROAD S LANE [GENERATIONS]: from a point to a place; ends after so many generations (default 1).
 #include <mapd.hpp>

@@ -10,6 +10,7 @@ use mapd_query::path::{
 use mapd_query::route::Enter;
 use mapd_query::{Clamped, QueryError};
 use mapd_tests::maps::{Random, carried_and, open, open_accepted};
+use std::cell::Cell;
 use std::path::PathBuf;
 
 /// Towns, left-hand traffic, gaps and kinks; with those that the project carries eight.
@@ -27,6 +28,9 @@ const PAIRS: usize = 40;
 const PLACES: usize = 40;
 /// What S and positions may be off `[m]`.
 const TOLERANCE: f64 = 1e-6;
+/// Offsets of places from the line `[m]`, as long as they are a smaller share of its radius.
+const OFFSET: f64 = 4.0;
+const BEND: f64 = 0.8;
 /// Places this near to a joint are not projected `[m]`: a foot may lie on either side of it.
 const NEAR_JOINT: f64 = 0.5;
 
@@ -95,6 +99,7 @@ pub(crate) fn is_near_joint(path: &Path<'_, '_>, along: f64) -> bool {
 
 #[test]
 fn a_place_on_the_path_is_found_again_by_its_s_and_offset() {
+    let (again_at_s, all) = (Cell::new(0), Cell::new(0));
     each_path(|_, path, _, name, random| {
         for _ in 0..PLACES {
             let along = random.between(0.0, path.length());
@@ -102,13 +107,12 @@ fn a_place_on_the_path_is_found_again_by_its_s_and_offset() {
             if is_near_joint(path, along) {
                 continue;
             }
-            // Beyond the centre of curvature the foot is another one; so it may be where the line bends within reach.
-            let d = random.between(-1.5, 1.5);
-            if (at.curvature * d).abs() >= 0.8 || at.curvature.abs() > 0.5 {
-                continue;
-            }
+            // Beyond the centre of curvature the foot is another one.
+            let reach = (BEND / at.curvature.abs()).min(OFFSET);
+            let d = random.between(-reach, reach);
             let left = DVec2::from_angle(at.heading).perp();
             for d in [0.0, d] {
+                all.set(all.get() + 1);
                 let point = at.position.truncate() + d * left;
                 let found = path.project(point, Some(along)).expect("a foot");
                 // Another branch, or another bend, may be nearer than the place that we come from.
@@ -123,11 +127,15 @@ fn a_place_on_the_path_is_found_again_by_its_s_and_offset() {
                         assert!((found.d - d).abs() < TOLERANCE, "{name}: {found:?}, {d}");
                         assert_eq!(found.clamped, Clamped::No);
                         assert!(found.heading_difference(at.heading).abs() < 1e-6);
+                        again_at_s.set(again_at_s.get() + 1);
                     }
                 }
             }
         }
     });
+    // The rest has another branch, or another bend, nearer by.
+    let (again, all) = (again_at_s.get(), all.get());
+    assert!(10 * again > 9 * all, "{again} of {all}");
 }
 
 #[test]
