@@ -8,11 +8,13 @@ use mapd_query::path::{
 };
 use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
 use mapd_tests::maps::open_text;
+use std::cell::Cell;
 
 const CAR: VehicleClass = VehicleClass::PassengerCar;
 
 #[test]
 fn a_stations_facts_are_those_of_its_place() {
+    let compared = Cell::new(0);
     each_path(|map, path, _, name, _| {
         let mut room = Corridor::default();
         path.corridor(0.0, 400.0, 1.7, CAR, &mut room).expect("a corridor");
@@ -49,8 +51,19 @@ fn a_stations_facts_are_those_of_its_place() {
             let apart = on.position.truncate().distance(middle.truncate());
             assert!(apart < 0.5, "{name}: {apart} m at lane {}", lane.key());
             assert!((on.normal.length() - 1.0).abs() < 1e-9, "{name}");
+            let edges = lane.edges_at(s);
+            let there = lane.road().surface_at(s, 0.5 * (edges.inner + edges.outer));
+            let there = there.expect("a surface");
+            // Lanes without width, and those that lie over others, are not what the road finds there.
+            if there.lane == Some(lane.lane_id()) {
+                let friction = there.material.and_then(|material| material.friction);
+                assert_eq!((on.position, on.normal), (there.position, there.normal), "{name}");
+                assert_eq!(on.friction, friction, "{name}");
+                compared.set(compared.get() + 1);
+            }
         }
     });
+    assert!(compared.get() > 1_000, "{} surfaces", compared.get());
 }
 
 /// Whether no two sides of a ring meet but neighbours: each pair is looked at.

@@ -198,7 +198,7 @@ impl<'a> Path<'a, '_> {
     }
 
     /// Fills the column `surface` of a corridor of this path: heights with crossfall and lane heights, and what the lanes are made of. It
-    /// costs several times the rest of the corridor.
+    /// costs about as much as the rest of the corridor.
     ///
     /// Errors: stations of another path; a damaged archive.
     pub fn corridor_surface(&self, room: &mut Corridor) -> Result<(), QueryError> {
