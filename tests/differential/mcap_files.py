@@ -56,6 +56,7 @@ def run(program, *arguments):
     done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
     if done.returncode != 0:
         raise RuntimeError(done.stderr.strip())
+    return done.stdout
 
 
 def layer(mapd, source, name, folder):
@@ -88,7 +89,7 @@ def on_earth(mapd, source, crs, place):
     """Longitude and latitude [deg] of a place in the map's frame, by PROJ."""
     if crs == DEGREES:
         # FlatGeobuf has degrees where the map's frame is one that no CRS names.
-        crs = json.loads(run(mapd, "inspect", source, "--json"))["projection"]
+        crs = json.loads(run(mapd, "inspect", source, "--json"))["map"]["projection"]
     own = pyproj.CRS(crs)
     return pyproj.Transformer.from_crs(own, own.geodetic_crs, always_xy=True).transform(place.x, place.y)
 

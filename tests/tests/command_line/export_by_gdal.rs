@@ -222,3 +222,45 @@ fn commands_of_the_page_run() {
         assert!(summary.contains("Geometry: 3D "), "{summary}");
     }
 }
+
+/// GDAL finds by the index of a FlatGeobuf file what it finds in a file without one, which it reads whole.
+#[test]
+fn a_box_has_the_features_that_lie_in_it() {
+    let (folder, maps) = folder(UTM);
+    let layers = ["lanes", "borders", "edges"];
+    let run = |program: &str, arguments: &[&str]| {
+        Command::new(program).args(arguments).current_dir(folder.path()).output().ok()
+    };
+    let count = |file: &str, sides: [f64; 4]| -> Option<usize> {
+        let sides = sides.map(|side| side.to_string());
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| sides[i].as_str());
+        let output = run("ogrinfo", &["-ro", "-al", "-so", "-spat", a, b, c, d, file])?;
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        let count = said.lines().find_map(|line| line.strip_prefix("Feature Count: "));
+        Some(count.unwrap_or_else(|| panic!("{said}")).parse().expect("a number"))
+    };
+    let mut some = 0;
+    for (path, layer) in maps.iter().flat_map(|path| layers.map(|layer| (path, layer))) {
+        let name = path.to_str().expect("a path");
+        export(
+            &[name, "--format", "flatgeobuf", "--layers", layer, "-o", "out.fgb"],
+            folder.path(),
+        );
+        let plain = ["-f", "FlatGeobuf", "-lco", "SPATIAL_INDEX=NO", "-overwrite"];
+        if run("ogr2ogr", &[&plain[..], &["plain.fgb", "out.fgb"]].concat()).is_none() {
+            say("SKIPPED: no ogr2ogr of GDAL");
+            return;
+        }
+        let bounds = open(path).map().bounds();
+        let (low, size) = (bounds.low.truncate(), (bounds.high - bounds.low).truncate());
+        let all = count("out.fgb", [low.x, low.y, low.x + size.x, low.y + size.y]).expect("GDAL");
+        for (i, j) in (0..4).flat_map(|i| (0..4).map(move |j| (i, j))) {
+            let [x, y] = [low.x + size.x * f64::from(i) / 4.0, low.y + size.y * f64::from(j) / 4.0];
+            let sides = [x, y, x + 0.25 * size.x, y + 0.25 * size.y];
+            let (found, expected) = (count("out.fgb", sides), count("plain.fgb", sides));
+            assert_eq!(found, expected, "{name}: {layer} in {sides:?}");
+            some += usize::from(found.is_some_and(|found| found > 0 && found < all));
+        }
+    }
+    assert!(some > 0, "no box has some of the features");
+}

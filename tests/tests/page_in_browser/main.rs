@@ -11,6 +11,8 @@ mod drawing;
 mod findings;
 // The page of `mapd view`: it follows what a daemon serves, without being loaded again.
 mod live;
+// Moving and measuring by keys and clicks, the place under the pointer, and how marks are painted.
+mod looking;
 // The page on a phone: a small screen, and fingers.
 mod touch;
 
