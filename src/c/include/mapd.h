@@ -752,6 +752,11 @@ enum {
 #define MAPD_SPEED_ORIGIN_DEPENDS 6
 
 /*
+ `origin` of a speed rule: an entry of today's overlay, in what a view says.
+ */
+#define MAPD_SPEED_ORIGIN_OVERLAY 7
+
+/*
  `which` of `mapd_lane_signals`: all that are for the lane.
  */
 #define MAPD_LANE_SIGNALS_ALL 0
@@ -797,7 +802,7 @@ enum {
 #define MAPD_BASIS_WRITTEN 0
 
 /*
- `basis` of a right of way: it is what a rule of the road would say; whether that holds there, the file does not say.
+ `basis` of a right of way: a rule of the road says so, of a country that the caller names.
  */
 #define MAPD_BASIS_RULE 1
 
@@ -2868,7 +2873,7 @@ typedef struct mapd_corridor_station {
    */
   struct mapd_vec3 outer_right;
   /*
-   The speed limit, as `mapd_path_speed_at` has it.
+   The speed limit, as `mapd_path_speed_at` has it; in what a view says today's.
    */
   struct mapd_speed_rule speed;
   /*
@@ -2957,7 +2962,8 @@ typedef struct mapd_path_conflict {
    */
   uint8_t relation;
   /*
-   1: both come by equal roads, as far as the file says: of one type, with one speed limit, and no motorway.
+   1: both come by equal roads, as far as the file says (of one type, with one speed limit, and no motorway), and neither joins a road on which the
+   other goes straight on, as a ramp does.
    */
   uint8_t equal_roads;
 } mapd_path_conflict;
@@ -3082,24 +3088,6 @@ typedef struct mapd_restriction {
    */
   uint32_t entry;
 } mapd_restriction;
-
-/*
- An entry that holds on a stretch of a path.
- */
-typedef struct mapd_path_restriction {
-  /*
-   S of the beginning of what is driven of it [m].
-   */
-  double along_from;
-  /*
-   S of its end [m].
-   */
-  double along_to;
-  /*
-   The entry, on the lane that is driven there.
-   */
-  struct mapd_restriction restriction;
-} mapd_path_restriction;
 
 /*
  Whether a class of vehicles may use a lane at a place.
@@ -3589,7 +3577,7 @@ typedef struct mapd_right_of_way {
    */
   uint8_t relation;
   /*
-   Why: a `MAPD_RELATION_REASON_…`.
+   Why: a `MAPD_RELATION_REASON_…`; where nothing is written, which rule of the road would have to say.
    */
   uint8_t reason;
   /*
@@ -5805,20 +5793,6 @@ mapd_code mapd_view_restrictions_along(const struct mapd_view *view,
                                        struct mapd_error *error);
 
 /*
- What holds now for a class of vehicles along a path, in ascending S: each entry once for each stretch of a driven lane. The path itself is the map's: a
- lane that is closed stays where it is.
-
- Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map; `MAPD_CODE_ARGUMENT` for an unknown class.
- */
-mapd_code mapd_view_restrictions_on_path(const struct mapd_view *view,
-                                         const struct mapd_path *path,
-                                         uint8_t vehicle,
-                                         struct mapd_path_restriction *out,
-                                         size_t capacity,
-                                         size_t *count,
-                                         struct mapd_error *error);
-
-/*
  Whether a class of vehicles may use a lane at s, in its own direction: as `mapd_lane_allows_at`, unless an entry closes or opens it. What one entry
  closes no other opens.
 
@@ -5854,18 +5828,6 @@ mapd_code mapd_view_overtaking_rule_at(const struct mapd_view *view,
                                        uint8_t vehicle,
                                        struct mapd_overtaking_today *out,
                                        struct mapd_error *error);
-
-/*
- The speed limit at S of a path, `along` [m], for a class of vehicles: the lowest that an entry states, else as `mapd_path_speed_at`.
-
- Errors: as `mapd_view_allows`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
- */
-mapd_code mapd_view_speed_on_path(const struct mapd_view *view,
-                                  const struct mapd_path *path,
-                                  double along,
-                                  uint8_t vehicle,
-                                  struct mapd_speed_today *out,
-                                  struct mapd_error *error);
 
 /*
  The number of the entry by which a signal is out of service now. `MAPD_CODE_NONE` for one that is in service.
@@ -5911,7 +5873,7 @@ mapd_code mapd_view_reachable(const struct mapd_view *view,
 
 /*
  As `mapd_path_corridor`, with the overlay's current entries applied: beside the path a lane that is closed cannot be changed to and adds no room, and one that is opened
- may and does. The speeds are the map's: `mapd_view_speed_on_path` has today's.
+ may and does; the speeds are today's, with the origin `MAPD_SPEED_ORIGIN_OVERLAY` where an entry states them.
 
  Errors: as `mapd_path_corridor`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
  */
@@ -6275,7 +6237,7 @@ mapd_code mapd_lane_lines(const struct mapd_snapshot *snapshot,
                           struct mapd_error *error);
 
 /*
- Who goes first where this lane of a junction meets others.
+ Who goes first where this lane of a junction meets others, by what the file says: unknown where a rule of the road would have to say.
  */
 mapd_code mapd_lane_right_of_way(const struct mapd_snapshot *snapshot,
                                  struct mapd_lane_id lane,
