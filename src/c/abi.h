@@ -417,6 +417,7 @@ enum {
 #define MAPD_SPEED_ORIGIN_NONE 4
 #define MAPD_SPEED_ORIGIN_ENTRY 5
 #define MAPD_SPEED_ORIGIN_DEPENDS 6
+#define MAPD_SPEED_ORIGIN_OVERLAY 7
 #define MAPD_LANE_SIGNALS_ALL 0
 #define MAPD_LANE_SIGNALS_LIGHTS 1
 #define MAPD_LANE_SIGNALS_STOP_LINES 2
@@ -1037,11 +1038,6 @@ typedef struct mapd_restriction {
   double s_to;
   uint32_t entry;
 } mapd_restriction;
-typedef struct mapd_path_restriction {
-  double along_from;
-  double along_to;
-  struct mapd_restriction restriction;
-} mapd_path_restriction;
 typedef struct mapd_permission {
   struct mapd_restriction restriction;
   uint8_t is_allowed;
@@ -1057,6 +1053,16 @@ typedef struct mapd_overtaking_today {
   struct mapd_restriction restriction;
   uint8_t is_forbidden;
 } mapd_overtaking_today;
+typedef struct mapd_path_restriction {
+  double along_from;
+  double along_to;
+  struct mapd_restriction restriction;
+} mapd_path_restriction;
+typedef struct mapd_path_speed_today {
+  double along_from;
+  double along_to;
+  struct mapd_speed_today today;
+} mapd_path_speed_today;
 typedef struct mapd_reached_piece {
   struct mapd_lane_id lane;
   double s_from;
@@ -2064,13 +2070,6 @@ mapd_code mapd_view_restrictions_along(const struct mapd_view *view,
                                        size_t capacity,
                                        size_t *count,
                                        struct mapd_error *error);
-mapd_code mapd_view_restrictions_on_path(const struct mapd_view *view,
-                                         const struct mapd_path *path,
-                                         uint8_t vehicle,
-                                         struct mapd_path_restriction *out,
-                                         size_t capacity,
-                                         size_t *count,
-                                         struct mapd_error *error);
 mapd_code mapd_view_allows(const struct mapd_view *view,
                            struct mapd_lane_id lane,
                            double s,
@@ -2089,16 +2088,45 @@ mapd_code mapd_view_overtaking_rule_at(const struct mapd_view *view,
                                        uint8_t vehicle,
                                        struct mapd_overtaking_today *out,
                                        struct mapd_error *error);
+mapd_code mapd_view_signal_out_of_service(const struct mapd_view *view,
+                                          struct mapd_signal_id signal,
+                                          uint32_t *out,
+                                          struct mapd_error *error);
+mapd_code mapd_view_restrictions_on_path(const struct mapd_view *view,
+                                         const struct mapd_path *path,
+                                         uint8_t vehicle,
+                                         struct mapd_path_restriction *out,
+                                         size_t capacity,
+                                         size_t *count,
+                                         struct mapd_error *error);
 mapd_code mapd_view_speed_on_path(const struct mapd_view *view,
                                   const struct mapd_path *path,
                                   double along,
                                   uint8_t vehicle,
                                   struct mapd_speed_today *out,
                                   struct mapd_error *error);
-mapd_code mapd_view_signal_out_of_service(const struct mapd_view *view,
-                                          struct mapd_signal_id signal,
-                                          uint32_t *out,
-                                          struct mapd_error *error);
+mapd_code mapd_view_speeds_on_path(const struct mapd_view *view,
+                                   const struct mapd_path *path,
+                                   uint8_t vehicle,
+                                   struct mapd_path_speed_today *out,
+                                   size_t capacity,
+                                   size_t *count,
+                                   struct mapd_error *error);
+mapd_code mapd_view_travel_time_on_path(const struct mapd_view *view,
+                                        const struct mapd_path *path,
+                                        double from,
+                                        double to,
+                                        uint8_t vehicle,
+                                        struct mapd_path_time *out,
+                                        struct mapd_error *error);
+mapd_code mapd_view_segments_on_path(const struct mapd_view *view,
+                                     const struct mapd_path *path,
+                                     uint8_t vehicle,
+                                     struct mapd_scratch *scratch,
+                                     struct mapd_path_segment *out,
+                                     size_t capacity,
+                                     size_t *count,
+                                     struct mapd_error *error);
 mapd_code mapd_view_route(const struct mapd_view *view,
                           const struct mapd_position_on_lane *places,
                           size_t place_count,

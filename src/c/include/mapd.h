@@ -3144,6 +3144,42 @@ typedef struct mapd_overtaking_today {
 } mapd_overtaking_today;
 
 /*
+ An entry that holds on a stretch of a path.
+ */
+typedef struct mapd_path_restriction {
+  /*
+   S of the beginning of what is driven of it [m].
+   */
+  double along_from;
+  /*
+   S of its end [m].
+   */
+  double along_to;
+  /*
+   The entry, on the lane that is driven there.
+   */
+  struct mapd_restriction restriction;
+} mapd_path_restriction;
+
+/*
+ A stretch of a path on which one speed limit holds today.
+ */
+typedef struct mapd_path_speed_today {
+  /*
+   S of its beginning [m].
+   */
+  double along_from;
+  /*
+   S of its end [m].
+   */
+  double along_to;
+  /*
+   What holds there. Where an entry states it, the stretch is on one lane.
+   */
+  struct mapd_speed_today today;
+} mapd_path_speed_today;
+
+/*
  A node, or a piece of one where an overlay cuts it, that can be reached.
  */
 typedef struct mapd_reached_piece {
@@ -5838,6 +5874,75 @@ mapd_code mapd_view_signal_out_of_service(const struct mapd_view *view,
                                           struct mapd_signal_id signal,
                                           uint32_t *out,
                                           struct mapd_error *error);
+
+/*
+ What holds now for a class of vehicles along a path, in ascending S: each entry once for each stretch of a driven lane. The path itself is the map's: a
+ lane that is closed stays where it is.
+
+ Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_view_restrictions_on_path(const struct mapd_view *view,
+                                         const struct mapd_path *path,
+                                         uint8_t vehicle,
+                                         struct mapd_path_restriction *out,
+                                         size_t capacity,
+                                         size_t *count,
+                                         struct mapd_error *error);
+
+/*
+ The speed limit at S of a path, `along` [m], for a class of vehicles: the lowest that an entry states, else as `mapd_path_speed_at`.
+
+ Errors: as `mapd_view_allows`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
+ */
+mapd_code mapd_view_speed_on_path(const struct mapd_view *view,
+                                  const struct mapd_path *path,
+                                  double along,
+                                  uint8_t vehicle,
+                                  struct mapd_speed_today *out,
+                                  struct mapd_error *error);
+
+/*
+ The speed limits along a path for a class of vehicles, in ascending S without gaps, each place as `mapd_view_speed_on_path` has it. `vehicle` is a
+ `MAPD_VEHICLE_CLASS_…`.
+
+ Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_view_speeds_on_path(const struct mapd_view *view,
+                                   const struct mapd_path *path,
+                                   uint8_t vehicle,
+                                   struct mapd_path_speed_today *out,
+                                   size_t capacity,
+                                   size_t *count,
+                                   struct mapd_error *error);
+
+/*
+ As `mapd_path_travel_time` for a class of vehicles, at the limits of `mapd_view_speeds_on_path`. What is closed takes as long as if it were open:
+ `mapd_view_restrictions_on_path` tells of it.
+
+ Errors: as `mapd_path_travel_time`; `MAPD_CODE_FOREIGN_ID` for a path on another map; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_view_travel_time_on_path(const struct mapd_view *view,
+                                        const struct mapd_path *path,
+                                        double from,
+                                        double to,
+                                        uint8_t vehicle,
+                                        struct mapd_path_time *out,
+                                        struct mapd_error *error);
+
+/*
+ As `mapd_path_segments`, with the overlay's current entries applied: a lane that is closed is not entered, so that before it a change of lane is due; one that is
+ opened may be.
+
+ Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map; `MAPD_CODE_ARGUMENT` for an unknown class.
+ */
+mapd_code mapd_view_segments_on_path(const struct mapd_view *view,
+                                     const struct mapd_path *path,
+                                     uint8_t vehicle,
+                                     struct mapd_scratch *scratch,
+                                     struct mapd_path_segment *out,
+                                     size_t capacity,
+                                     size_t *count,
+                                     struct mapd_error *error);
 
 /*
  As `mapd_route`, with the overlay's current entries applied: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The lane of the

@@ -105,7 +105,8 @@ fn all_results_and_options_are_data() {
         let shows = list.lines().any(|line| {
             line.strip_prefix("pub ").is_some_and(|line| {
                 line.strip_prefix(bare).is_some_and(|rest| {
-                    rest.trim_start_matches(|c| c != ':').starts_with("::") && rest.contains(": ")
+                    // Of this type, not of one whose name begins with its name.
+                    rest.starts_with(['<', ':']) && rest.contains("::") && rest.contains(": ")
                 })
             })
         });

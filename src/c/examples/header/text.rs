@@ -33,6 +33,7 @@ const SOURCES: &[&str] = &[
     "corridor",
     "conflicts",
     "view",
+    "view_path",
     "view_ways",
     "propose",
     "request",

@@ -28,6 +28,7 @@ pub struct PathRestriction<'a> {
 
 /// A stretch of a path on which one speed limit holds today.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PathSpeedToday<'a> {
     /// S of its beginning and end `[m]`.
     pub along: [f64; 2],
