@@ -9,6 +9,10 @@ use mapd_archive::{OverlayRows, SignalEntryRow, StringTable};
 use mapd_query::{Lane, LaneId, Map, SRange};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// How often a document is put together at most, so that entries which make each other too short take bounded time. What the last time has nothing left of is told, and cuts
+/// lanes all the same.
+const ROUNDS: usize = 8;
+
 /// Most that all lines of a document measure within the map `[m]`: what is placed takes time for each step of it.
 pub(crate) const LINES_TOGETHER: f64 = 1e7;
 
@@ -133,13 +137,18 @@ impl Placements {
         self.forget(document);
         // Entries that nothing is left of. Without one, lanes are cut elsewhere: so all is put together anew, rarely.
         let mut gone = BTreeMap::new();
-        loop {
+        for _ in 1..ROUNDS {
             let (resolved, more) = self.put_together(map, document, &gone);
             if more.is_empty() {
                 return resolved;
             }
             gone.extend(more);
         }
+        let (mut resolved, more) = self.put_together(map, document, &gone);
+        let more = more.into_iter().map(|(at, why)| unplaced_entry(document, at, why, false));
+        resolved.unplaced.extend(more);
+        resolved.unplaced.sort_by_key(|unfit| unfit.number);
+        resolved
     }
 
     /// Puts together what is published, without entries that are gone, by number; and those of which nothing is left where lanes are cut, with the first of their places.
