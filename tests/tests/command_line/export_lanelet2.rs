@@ -5,7 +5,7 @@ use mapd_client::geodesy::{Geodetic, Projector};
 use mapd_client::glam::DVec3;
 use mapd_client::graph::LaneNode;
 use mapd_client::vocabulary::LaneType;
-use mapd_client::{Lane, Map, Track};
+use mapd_client::{Lane, Map, Snapshot, Track};
 use mapd_tests::carried;
 use mapd_tests::maps::{carried_and, open};
 use quick_xml::Reader;
@@ -366,8 +366,16 @@ fn every_point_lies_at_the_edge_of_its_lane() {
 #[test]
 fn the_report_counts_what_cannot_be_said() {
     let mut seen = BTreeSet::new();
-    for path in carried_and(&MAPS) {
-        let snapshot = open(&path);
+    let folder = tempfile::tempdir().expect("a folder");
+    // The kept maps have something of everything.
+    let kept = mapd_tests::golden_maps::all().into_iter().map(|golden| {
+        let path = folder.path().join(format!("{}.mapd", golden.name));
+        let archive = golden.compile().expect("compiled");
+        fs::write(&path, &archive).expect("written");
+        (path, Snapshot::from_bytes(archive).expect("opens"))
+    });
+    let maps = carried_and(&MAPS).into_iter().map(|path| (path.clone(), open(&path)));
+    for (path, snapshot) in maps.chain(kept) {
         let map = snapshot.map();
         let (_, report, _) = export(map, &path);
         let temporary = map.roads().map(|road| road.temporary_sections().count()).sum();
@@ -384,7 +392,7 @@ fn the_report_counts_what_cannot_be_said() {
             seen.extend((count > 0).then_some(what));
         }
     }
-    assert!(seen.len() > 1, "{seen:?}");
+    assert_eq!(seen.len(), 5, "{seen:?}");
     // The town is flat; the road over a hill lies in its plane, too; a surface of its own does not.
     for (name, is_told) in [("town.xodr", false), ("surfaces.xodr", true)] {
         let path = carried(name);
