@@ -301,8 +301,10 @@ fn all_speed_limits_along_a_path_are_those_of_its_lanes() {
         }
     });
     let [came_in, direct] = compared.into_inner();
-    assert!(direct > 100, "{direct}");
-    assert!(came_in > 0 || mapd_tests::shared("maps").is_none(), "{came_in}");
+    // The carried maps alone have fewer routes.
+    let has_corpus = mapd_tests::shared("maps").is_some();
+    assert!(direct > if has_corpus { 100 } else { 40 }, "{direct}");
+    assert!(came_in > 0 || !has_corpus, "{came_in}");
 }
 
 /// A part that is left out of the map is told where the path comes near.
