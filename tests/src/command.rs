@@ -28,7 +28,7 @@ pub fn on_a_terminal(
 ) -> Option<String> {
     let mut script = Command::new("script");
     script.args(["-qec", &format!("stty rows 50 cols {columns}; {command}"), "/dev/null"]);
-    for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "COLUMNS"] {
+    for name in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "COLUMNS", "CI"] {
         script.env_remove(name);
     }
     script.env("TERM", "xterm").envs(variables.iter().copied()).stdin(Stdio::null());
