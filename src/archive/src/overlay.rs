@@ -61,6 +61,24 @@ pub fn verify_overlay(bytes: &[u8]) -> Result<Overlay<'_>, VerifyError> {
     if tables.overlay.len() != 1 {
         at("overlay", 0).fail("", "exactly one row", tables.overlay.len())?;
     }
+    if tables.cuts.len() > 1 {
+        at("cuts", 1).fail("", "at most one row", tables.cuts.len())?;
+    }
+    for row in tables.cuts {
+        let factors = [("length_factor", row.length_factor()), ("time_factor", row.time_factor())];
+        for (field, factor) in factors {
+            if !(0.0..=1.0).contains(&factor) {
+                at("cuts", 0).fail(field, "from 0 to 1", factor)?;
+            }
+        }
+        for (field, saved) in
+            [("length_saved", row.length_saved()), ("time_saved", row.time_saved())]
+        {
+            if saved < 0.0 {
+                at("cuts", 0).fail(field, "no less than 0", saved)?;
+            }
+        }
+    }
     for (i, row) in tables.weekly.iter().enumerate() {
         if row.from() >= row.until() || row.until() > WEEK {
             at("weekly", i).fail("until", "a time of the week, after the begin", row.until())?;

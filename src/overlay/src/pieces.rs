@@ -4,11 +4,12 @@
 //! holds in the middle of a piece holds for all of it, and no piece is shorter than [`SHORTEST_PIECE`].
 
 use mapd_archive::{
-    OverlayEntryRow, OverlayNodeRow, OverlayRows, PieceRow, Range, TouchedRow, overlay_changes_ways,
+    CutsRow, OverlayEntryRow, OverlayNodeRow, OverlayRows, PieceRow, Range, TouchedRow,
+    overlay_changes_ways,
 };
 use mapd_query::Map;
 use mapd_query::SRange;
-use mapd_query::compiling::ByRow as _;
+use mapd_query::compiling::{ByRow as _, extremes_of_joined, is_first_joined};
 use mapd_query::graph::LaneNode;
 use std::collections::BTreeMap;
 
@@ -50,6 +51,8 @@ pub(crate) fn fill(map: Map<'_>, marks: &Marks, rows: &mut OverlayRows, held: &m
         rows.nodes.push(OverlayNodeRow { node: number, pieces });
         rows.node_vehicles.push(vehicles);
     }
+    let by_cuts = saved(map, rows);
+    rows.cuts.push(by_cuts);
     let words = rows.nodes.last().map_or(0, |node| node.node as usize / 64 + 1);
     let mut bits = vec![0_u64; words];
     for node in rows.nodes.iter() {
@@ -60,6 +63,29 @@ pub(crate) fn fill(map: Map<'_>, marks: &Marks, rows: &mut OverlayRows, held: &m
         rows.touched.push(TouchedRow { bits, rank, reserved: 0 });
         rank += bits.count_ones();
     }
+}
+
+/// What cutting nodes does to bounds: who changes lanes in the middle of a node drives only a part of the one beside it, which may be longer or slower than its own.
+fn saved(map: Map<'_>, rows: &OverlayRows) -> CutsRow {
+    let mut row =
+        CutsRow { length_saved: 0.0, length_factor: 1.0, time_saved: 0.0, time_factor: 1.0 };
+    let is_cut = |node: &&OverlayNodeRow| node.pieces.count > 1;
+    for node in rows.nodes.iter().filter(is_cut).filter_map(|own| map.lane_node_by_row(own.node)) {
+        if !is_first_joined(&node) {
+            continue;
+        }
+        let lengths = extremes_of_joined(&node, |node| node.length());
+        let times = extremes_of_joined(&node, |node| node.travel_time());
+        let add = |saved: &mut f64, factor: &mut f64, [least, most]: [f64; 2]| {
+            *saved = (*saved + (most - least)).min(f64::MAX);
+            if most > least {
+                *factor = factor.min(least / most);
+            }
+        };
+        add(&mut row.length_saved, &mut row.length_factor, lengths);
+        add(&mut row.time_saved, &mut row.time_factor, times);
+    }
+    row
 }
 
 /// Classes of vehicles for which marks close, open or slow something.

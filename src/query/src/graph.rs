@@ -174,6 +174,39 @@ impl<'a> LaneNode<'a> {
     }
 }
 
+/// Nodes to one side of a node that are looked at; beyond more of them nothing is known.
+const BESIDE: usize = 64;
+
+/// The node beside one to the left or right, if a change of lane leads from one to the other, whichever way.
+fn joined<'a>(node: &LaneNode<'a>, left: bool) -> Option<LaneNode<'a>> {
+    let change =
+        |from: &LaneNode<'a>, left| if left { from.change_left() } else { from.change_right() };
+    let beside = if left { node.left() } else { node.right() }?;
+    (change(node, left).is_some() || change(&beside, !left).is_some()).then_some(beside)
+}
+
+/// Whether a node is the first from the left of those that changes of lane join with it.
+pub fn is_first_joined(node: &LaneNode<'_>) -> bool {
+    joined(node, true).is_none()
+}
+
+/// Smallest and largest measure of the nodes that changes of lane join with a node, itself among them.
+pub fn extremes_of_joined(node: &LaneNode<'_>, measure: impl Fn(&LaneNode<'_>) -> f64) -> [f64; 2] {
+    let own = measure(node);
+    let [mut least, mut most] = [own, own];
+    for left in [true, false] {
+        let mut beside = std::iter::successors(joined(node, left), |next| joined(next, left));
+        for next in beside.by_ref().take(BESIDE) {
+            let own = measure(&next);
+            (least, most) = (least.min(own), most.max(own));
+        }
+        if beside.next().is_some() {
+            return [0.0, f64::INFINITY];
+        }
+    }
+    [least, most]
+}
+
 impl<'a> LaneEdge<'a> {
     /// The node that is left: its length, time and access are the edge's.
     pub fn source(&self) -> Option<LaneNode<'a>> {

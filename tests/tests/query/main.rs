@@ -66,6 +66,8 @@ mod overlays_places;
 mod overlays_same_ways;
 // The schema of entries that is published says what the reader reads.
 mod overlays_schema;
+// Bounds of a search on pieces of a lane: a change of lane in its middle may save more than the lane takes.
+mod overlays_bounds;
 // Places that are too short to be cut out of a lane: each holds somewhere or is told, never neither.
 mod overlays_short;
 // Feeds of work zones: every word that the specification of WZDx 4.2 lists becomes an entry or a finding.

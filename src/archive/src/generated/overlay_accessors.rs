@@ -164,3 +164,26 @@ impl ArchivedSignalEntryRow {
         self.entry.to_native()
     }
 }
+
+impl ArchivedCutsRow {
+    /// `[m]` By how much such changes shorten all ways together: no way is shorter by more.
+    #[inline]
+    pub fn length_saved(&self) -> f64 {
+        self.length_saved.to_native()
+    }
+    /// Smallest quotient of the lengths of nodes that are cut and joined by changes of lane, at most 1.
+    #[inline]
+    pub fn length_factor(&self) -> f64 {
+        self.length_factor.to_native()
+    }
+    /// `[s]` As `length_saved`, of times at the map's speed limits.
+    #[inline]
+    pub fn time_saved(&self) -> f64 {
+        self.time_saved.to_native()
+    }
+    /// As `length_factor`, of times.
+    #[inline]
+    pub fn time_factor(&self) -> f64 {
+        self.time_factor.to_native()
+    }
+}

@@ -124,3 +124,19 @@ pub struct SignalEntryRow {
     pub entry: u32,
 }
 const _: () = assert!(size_of::<SignalEntryRow>() == 8 && size_of::<ArchivedSignalEntryRow>() == 8);
+
+/// At most one row: what cutting nodes does to bounds of the map. A change of lane in the middle of a node leaves a longer one beside it to be driven in part only. Without it there are no bounds if a node is cut.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct CutsRow {
+    /// `[m]` By how much such changes shorten all ways together: no way is shorter by more.
+    pub length_saved: f64,
+    /// Smallest quotient of the lengths of nodes that are cut and joined by changes of lane, at most 1.
+    pub length_factor: f64,
+    /// `[s]` As `length_saved`, of times at the map's speed limits.
+    pub time_saved: f64,
+    /// As `length_factor`, of times.
+    pub time_factor: f64,
+}
+const _: () = assert!(size_of::<CutsRow>() == 32 && size_of::<ArchivedCutsRow>() == 32);

@@ -8,7 +8,7 @@ use crate::table::Table;
 use crate::verify::Check;
 
 /// The tables of an overlay, by number.
-pub(crate) const OVERLAY_TABLES: [TableKind; 11] = [
+pub(crate) const OVERLAY_TABLES: [TableKind; 12] = [
     TableKind::new(1, "string_bytes", 1, 0xb6f9a5667163132f, true),
     TableKind::new(2, "string_offsets", 4, 0x67743eeea1e68648, true),
     TableKind::new(3, "overlay", 24, 0x304c3bba2686a319, true),
@@ -20,6 +20,7 @@ pub(crate) const OVERLAY_TABLES: [TableKind; 11] = [
     TableKind::new(9, "piece_entries", 4, 0x70c7e01b146476bd, false),
     TableKind::new(10, "signal_entries", 8, 0x687ebc0d11f42f17, false),
     TableKind::new(11, "node_vehicles", 2, 0x56a52e21323ae6fc, false),
+    TableKind::new(12, "cuts", 32, 0x9eedf0c3881482ab, false),
 ];
 
 /// All tables of an opened overlay; those that it does not have are empty.
@@ -47,6 +48,8 @@ pub struct OverlayTables<'a> {
     pub signal_entries: &'a [ArchivedSignalEntryRow],
     /// By node of `nodes`: bit i says that an entry closes, opens or slows it, or a node that is cut with it, for vehicle class i. For other classes searches may take the map's own node. Empty if that is not said.
     pub node_vehicles: &'a [u16],
+    /// At most one row: what cutting nodes does to bounds of the map. A change of lane in the middle of a node leaves a longer one beside it to be driven in part only. Without it there are no bounds if a node is cut.
+    pub cuts: &'a [ArchivedCutsRow],
 }
 
 impl<'a> OverlayTables<'a> {
@@ -63,6 +66,7 @@ impl<'a> OverlayTables<'a> {
             piece_entries: directory.take(&OVERLAY_TABLES[8])?,
             signal_entries: directory.take(&OVERLAY_TABLES[9])?,
             node_vehicles: directory.take(&OVERLAY_TABLES[10])?,
+            cuts: directory.take(&OVERLAY_TABLES[11])?,
         })
     }
 }
@@ -92,11 +96,13 @@ pub struct OverlayRows {
     pub signal_entries: Table<SignalEntryRow>,
     /// By node of `nodes`: bit i says that an entry closes, opens or slows it, or a node that is cut with it, for vehicle class i. For other classes searches may take the map's own node. Empty if that is not said.
     pub node_vehicles: Table<u16>,
+    /// At most one row: what cutting nodes does to bounds of the map. A change of lane in the middle of a node leaves a longer one beside it to be driven in part only. Without it there are no bounds if a node is cut.
+    pub cuts: Table<CutsRow>,
 }
 
 impl OverlayRows {
     /// The bytes of all tables, in the order of `OVERLAY_TABLES`.
-    pub(crate) fn bytes(&self) -> [&[u8]; 11] {
+    pub(crate) fn bytes(&self) -> [&[u8]; 12] {
         [
             bytemuck::cast_slice(self.string_bytes.as_slice()),
             bytemuck::cast_slice(self.string_offsets.as_slice()),
@@ -109,6 +115,7 @@ impl OverlayRows {
             bytemuck::cast_slice(self.piece_entries.as_slice()),
             bytemuck::cast_slice(self.signal_entries.as_slice()),
             bytemuck::cast_slice(self.node_vehicles.as_slice()),
+            bytemuck::cast_slice(self.cuts.as_slice()),
         ]
     }
 }
@@ -154,6 +161,13 @@ impl OverlayTables<'_> {
         for (i, row) in self.signal_entries.iter().enumerate() {
             let check = Check { table: "signal_entries", row: i };
             check.reference("entry", row.entry(), self.entries.len(), false)?;
+        }
+        for (i, row) in self.cuts.iter().enumerate() {
+            let check = Check { table: "cuts", row: i };
+            check.finite("length_saved", row.length_saved())?;
+            check.finite("length_factor", row.length_factor())?;
+            check.finite("time_saved", row.time_saved())?;
+            check.finite("time_factor", row.time_factor())?;
         }
         Ok(())
     }

@@ -221,7 +221,7 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
     ) {
         let is_open = cost < f64::INFINITY && (banned.is_empty() || !banned.contains(&hop));
         if is_open && self.scratch.improve(hop.to, cost, hop.from) {
-            let key = cost + self.ways.least(bounds, to, self.cost);
+            let key = cost + self.ways.least(bounds, to);
             self.scratch.heap.push(Open::new(key, cost, hop.to));
         }
     }

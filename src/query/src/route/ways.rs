@@ -1,7 +1,6 @@
 //! What a search travels on: a map's lane graph, or the same under an overlay ([`View`](crate::view::View)), where nodes may be cut into pieces.
 
 use super::bound::Bounds;
-use super::cost::RouteCost;
 use crate::graph::LaneNode;
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
@@ -38,7 +37,7 @@ pub(crate) trait Ways<'a>: Copy {
     fn follows(&self, before: u32, number: u32) -> bool;
 
     /// Least cost from its beginning to the target.
-    fn least(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>, cost: &impl RouteCost) -> f64;
+    fn least(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>) -> f64;
 
     /// Whether landmarks give bounds.
     fn has_bounds(&self) -> bool;
@@ -119,7 +118,7 @@ impl<'a> Ways<'a> for Map<'a> {
     }
 
     #[inline]
-    fn least(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>, _: &impl RouteCost) -> f64 {
+    fn least(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>) -> f64 {
         bounds.least(node.row)
     }
 

@@ -1,10 +1,10 @@
 //! The lane graph with an overlay applied, for searches.
 
 use super::{View, is_touched, node_row};
-use crate::graph::LaneNode;
+use crate::graph::{LaneNode, extremes_of_joined};
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
-use crate::route::{Bounds, RouteCost, Ways};
+use crate::route::{Bounds, Ways};
 use crate::rules::{SpeedOrigin, SpeedRule};
 use mapd_archive::{ArchivedTouchedRow, NONE, VehicleClass};
 use std::ops::Range;
@@ -19,23 +19,52 @@ pub(super) struct OverlaidGraph<'a> {
     nodes: u32,
     /// Which nodes have pieces.
     touched: &'a [ArchivedTouchedRow],
-    /// What raised speeds make of a time: at least this share of it is left, and all but so many seconds.
-    time_factor: f64,
-    time_saved: f64,
+    /// What raised speeds make of a time.
+    raised: Shortening,
+    /// What cuts make of a length and of a time.
+    cuts: [Shortening; 2],
     has_bounds: bool,
+}
+
+/// By how much ways may be shorter than the map says.
+#[derive(Clone, Copy)]
+struct Shortening {
+    /// At least this share is left,
+    factor: f64,
+    /// and all but so many metres or seconds.
+    saved: f64,
+}
+
+impl Shortening {
+    const NONE: Self = Self { factor: 1.0, saved: 0.0 };
+
+    /// What is left of a bound at a cost of a metre or second.
+    #[inline]
+    fn left(self, least: f64, per_unit: f64) -> f64 {
+        (least * self.factor).max(least - self.saved * per_unit)
+    }
 }
 
 impl<'a> OverlaidGraph<'a> {
     pub(super) fn new(view: View<'a>, vehicle: VehicleClass) -> Self {
         let row = view.tables().and_then(|tables| tables.overlay.first());
+        let cuts = view.tables().and_then(|tables| tables.cuts.first()).map(|row| {
+            let length = Shortening { factor: row.length_factor(), saved: row.length_saved() };
+            let time = Shortening { factor: row.time_factor(), saved: row.time_saved() };
+            [length, time]
+        });
+        let is_cut = view.tables().is_some_and(|tables| tables.pieces.len() > tables.nodes.len());
         Self {
             view,
             vehicle,
             nodes: view.map.tables().lane_nodes.len() as u32,
             touched: view.tables().map_or(&[], |tables| tables.touched),
-            time_factor: row.map_or(1.0, |row| row.time_factor()),
-            time_saved: row.map_or(0.0, |row| row.time_saved()),
-            has_bounds: row.is_none_or(|row| row.opens() == 0),
+            raised: row.map_or(Shortening::NONE, |row| Shortening {
+                factor: row.time_factor(),
+                saved: row.time_saved(),
+            }),
+            cuts: cuts.unwrap_or([Shortening::NONE; 2]),
+            has_bounds: row.is_none_or(|row| row.opens() == 0) && (cuts.is_some() || !is_cut),
         }
     }
 
@@ -50,6 +79,18 @@ impl<'a> OverlaidGraph<'a> {
     fn entered(&self, node: u32) -> u32 {
         let pieces = self.view.pieces_for(node, self.vehicle);
         if pieces.is_empty() { node } else { self.nodes + pieces.start }
+    }
+
+    /// The most that can lie before a piece of a node `[cost]`. From the piece one may change to one beside it, so that of the other's node as much is passed: all of the
+    /// longest counts, since a node's parts need not count as their lengths do.
+    #[cold]
+    fn most_before(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>) -> f64 {
+        let whole = LaneNode { piece: None, ..*node };
+        let [_, most] = match bounds.times {
+            true => extremes_of_joined(&whole, |node| node.travel_time()),
+            false => extremes_of_joined(&whole, |node| node.length()),
+        };
+        most * bounds.per_unit
     }
 
     /// The node of the map, the number of this piece in it, and how many it has.
@@ -137,22 +178,23 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
         (own == next && index + 1 == first) || (index + 1 == count && first == 0 && own + 1 == next)
     }
 
-    /// A bound of the map's from a node's beginning holds from a piece of it on less the way to there. Raised speeds leave at least a share of a time,
-    /// and save at most so much in all.
+    /// A bound of the map's from a node's beginning holds from a piece of it on less the way to there. Changes of lane in the middle of nodes and raised speeds leave at least a
+    /// share of it, and save at most so much in all.
     #[inline]
-    fn least(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>, cost: &impl RouteCost) -> f64 {
+    fn least(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>) -> f64 {
         let mut least = bounds.least(node.row);
         if least == 0.0 {
             return least;
         }
         if node.piece.is_some_and(|piece| piece.row.before() > 0.0) {
-            // By time the node's parts need not count as their lengths do: all of it is taken off.
-            least -= cost.pass(&LaneNode { piece: None, ..*node });
+            least -= self.most_before(bounds, node);
         }
-        if bounds.times && self.time_saved > 0.0 {
-            // Seconds of the map cost what the bound says of them.
-            let saved = self.time_saved * bounds.per_unit;
-            least = (least * self.time_factor).max(least - saved);
+        let cuts = self.cuts[usize::from(bounds.times)];
+        if cuts.saved > 0.0 {
+            least = cuts.left(least, bounds.per_unit);
+        }
+        if bounds.times && self.raised.saved > 0.0 {
+            least = self.raised.left(least, bounds.per_unit);
         }
         least.max(0.0)
     }
