@@ -6,7 +6,7 @@ use crate::lane::{Lane, edges_of};
 use crate::map::Map;
 use crate::route::{Bounds, Ways};
 use crate::rules::{SpeedOrigin, SpeedRule};
-use mapd_archive::{ArchivedTouchedRow, NONE, VehicleClass};
+use mapd_archive::{ArchivedTouchedRow, NONE, OverlayTables, VehicleClass};
 use std::ops::Range;
 
 /// A view, for a class of vehicles.
@@ -19,10 +19,8 @@ pub(super) struct OverlaidGraph<'a> {
     nodes: u32,
     /// Which nodes have pieces.
     touched: &'a [ArchivedTouchedRow],
-    /// What raised speeds make of a time.
-    raised: Shortening,
-    /// What cuts make of a length and of a time.
-    cuts: [Shortening; 2],
+    /// Whether ways may be shorter than the map says.
+    shortens: bool,
     has_bounds: bool,
 }
 
@@ -45,26 +43,37 @@ impl Shortening {
     }
 }
 
+/// What raised speeds shorten of times, and cuts of lengths and of times; none where the overlay does not say what its cuts do.
+fn shortenings(tables: Option<&OverlayTables<'_>>) -> Option<[Shortening; 3]> {
+    let Some(tables) = tables else { return Some([Shortening::NONE; 3]) };
+    let raised = tables.overlay.first().map_or(Shortening::NONE, |row| Shortening {
+        factor: row.time_factor(),
+        saved: row.time_saved(),
+    });
+    let [length, time] = match tables.cuts.first() {
+        Some(row) => [
+            Shortening { factor: row.length_factor(), saved: row.length_saved() },
+            Shortening { factor: row.time_factor(), saved: row.time_saved() },
+        ],
+        None if tables.pieces.len() > tables.nodes.len() => return None,
+        None => [Shortening::NONE; 2],
+    };
+    Some([raised, length, time])
+}
+
 impl<'a> OverlaidGraph<'a> {
     pub(super) fn new(view: View<'a>, vehicle: VehicleClass) -> Self {
-        let row = view.tables().and_then(|tables| tables.overlay.first());
-        let cuts = view.tables().and_then(|tables| tables.cuts.first()).map(|row| {
-            let length = Shortening { factor: row.length_factor(), saved: row.length_saved() };
-            let time = Shortening { factor: row.time_factor(), saved: row.time_saved() };
-            [length, time]
-        });
-        let is_cut = view.tables().is_some_and(|tables| tables.pieces.len() > tables.nodes.len());
+        let tables = view.tables();
+        let all = shortenings(tables);
+        let opens =
+            tables.and_then(|tables| tables.overlay.first()).is_some_and(|row| row.opens() != 0);
         Self {
             view,
             vehicle,
             nodes: view.map.tables().lane_nodes.len() as u32,
-            touched: view.tables().map_or(&[], |tables| tables.touched),
-            raised: row.map_or(Shortening::NONE, |row| Shortening {
-                factor: row.time_factor(),
-                saved: row.time_saved(),
-            }),
-            cuts: cuts.unwrap_or([Shortening::NONE; 2]),
-            has_bounds: row.is_none_or(|row| row.opens() == 0) && (cuts.is_some() || !is_cut),
+            touched: tables.map_or(&[], |tables| tables.touched),
+            shortens: all.is_some_and(|all| all.iter().any(|one| one.saved > 0.0)),
+            has_bounds: !opens && all.is_some(),
         }
     }
 
@@ -83,14 +92,30 @@ impl<'a> OverlaidGraph<'a> {
 
     /// The most that can lie before a piece of a node `[cost]`. From the piece one may change to one beside it, so that of the other's node as much is passed: all of the
     /// longest counts, since a node's parts need not count as their lengths do.
-    #[cold]
-    fn most_before(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>) -> f64 {
-        let whole = LaneNode { piece: None, ..*node };
+    fn most_before(&self, bounds: &Bounds<'a>, node: u32) -> f64 {
+        let Some(whole) = LaneNode::new(self.view.map, node) else { return f64::INFINITY };
         let [_, most] = match bounds.times {
             true => extremes_of_joined(&whole, |node| node.travel_time()),
             false => extremes_of_joined(&whole, |node| node.length()),
         };
         most * bounds.per_unit
+    }
+
+    /// What is left of a bound where ways may be shorter than the map says, or on a piece of a node behind others.
+    #[cold]
+    fn shortened(&self, mut least: f64, bounds: &Bounds<'a>, behind: Option<u32>) -> f64 {
+        if least == 0.0 {
+            return least;
+        }
+        if let Some(node) = behind {
+            least -= self.most_before(bounds, node);
+        }
+        let Some([raised, length, time]) = shortenings(self.view.tables()) else { return 0.0 };
+        let all = if bounds.times { [time, raised] } else { [length, Shortening::NONE] };
+        for one in all {
+            least = one.left(least, bounds.per_unit);
+        }
+        least.max(0.0)
     }
 
     /// The node of the map, the number of this piece in it, and how many it has.
@@ -182,21 +207,13 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
     /// share of it, and save at most so much in all.
     #[inline]
     fn least(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>) -> f64 {
-        let mut least = bounds.least(node.row);
-        if least == 0.0 {
-            return least;
+        let least = bounds.least(node.row);
+        // Apart, so that the search itself stays short.
+        let is_behind = node.piece.is_some_and(|piece| piece.row.before() > 0.0);
+        if self.shortens || is_behind {
+            return self.shortened(least, bounds, is_behind.then_some(node.number));
         }
-        if node.piece.is_some_and(|piece| piece.row.before() > 0.0) {
-            least -= self.most_before(bounds, node);
-        }
-        let cuts = self.cuts[usize::from(bounds.times)];
-        if cuts.saved > 0.0 {
-            least = cuts.left(least, bounds.per_unit);
-        }
-        if bounds.times && self.raised.saved > 0.0 {
-            least = self.raised.left(least, bounds.per_unit);
-        }
-        least.max(0.0)
+        least
     }
 
     fn limit(&self, number: u32, map: SpeedRule) -> SpeedRule {
