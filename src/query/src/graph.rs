@@ -120,6 +120,18 @@ impl<'a> LaneNode<'a> {
         }
     }
 
+    /// Whether a vehicle goes on into one that follows: what is open may be entered; a closed lane on which it is already, is driven to its end.
+    #[inline]
+    pub(crate) fn leads_into(&self, to: &LaneNode<'_>, class: VehicleClass) -> bool {
+        to.allows(class) || self.stays_on_closed(to, class)
+    }
+
+    /// Whether one that follows is the same lane, and both are closed: however a lane is cut, who is on it may leave it at its end.
+    pub(crate) fn stays_on_closed(&self, to: &LaneNode<'_>, class: VehicleClass) -> bool {
+        let same = self.row.lane() == to.row.lane() && self.is_forward() == to.is_forward();
+        same && !self.allows(class) && !to.allows(class)
+    }
+
     /// Whether any class of vehicles may use it.
     pub fn is_open(&self) -> bool {
         self.access() != 0

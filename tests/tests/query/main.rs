@@ -70,6 +70,8 @@ mod overlays_schema;
 mod overlays_bounds;
 // Places that are too short to be cut out of a lane: each holds somewhere or is told, never neither.
 mod overlays_short;
+// A start on a closed lane: it is left, not entered.
+mod overlays_start;
 // Feeds of work zones: every word that the specification of WZDx 4.2 lists becomes an entry or a finding.
 mod overlays_wzdx;
 // What lies along a path: lanes that reach the goal, speed limits, signals, lines, junctions.

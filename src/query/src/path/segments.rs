@@ -184,7 +184,11 @@ fn ahead<'a>(ways: impl Ways<'a>, own: &mut PathSegment, next: &[PathSegment]) {
     let (exit, mut lane_end, mut last_change, mut changes) =
         (own.exit, own.lane_end, own.last_change, own.changes);
     // The path is known to lead on, also over lanes too short to be driven.
-    for to in next.iter().filter(|to| to.open && ((exit && to.entry) || leads_to(to))) {
+    // A closed lane is left at its end, however it is cut.
+    let stays = |to: &&PathSegment| {
+        to.open || (!own.open && (to.lane, to.forward) == (own.lane, own.forward))
+    };
+    for to in next.iter().filter(stays).filter(|to| (exit && to.entry) || leads_to(to)) {
         lane_end = lane_end.max(to.lane_end);
         if to.changes != NEVER {
             changes = changes.min(to.changes);

@@ -436,8 +436,7 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
         self.scratch.heap.clear();
         let (ways, vehicle, cost) = (self.ways, self.vehicle, self.cost);
         let enter = |scratch: &mut RouteScratch, from: u32, cost: f64, next: u32| {
-            let is_open = cost < limit && ways.node(from).is_some_and(|from| from.allows(vehicle));
-            if is_open && scratch.improve_back(from, cost, next) {
+            if cost < limit && scratch.improve_back(from, cost, next) {
                 scratch.heap.push(Open::new(cost, cost, from));
             }
         };
@@ -445,7 +444,8 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
         let behind = |scratch: &mut RouteScratch, number: u32, rest: f64, next: u32| {
             let Some(node) = ways.node(number) else { return };
             ways.behind(number, |from| {
-                let Some(before) = ways.node(from) else { return };
+                let before = ways.node(from).filter(|from| from.leads_into(&node, vehicle));
+                let Some(before) = before else { return };
                 let pass = price(cost.pass(&before)) + price(cost.enter(&before, &node));
                 enter(scratch, from, pass + rest, next);
             });
@@ -460,7 +460,8 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
                 continue;
             }
             behind(scratch, number, own, number);
-            let Some(node) = ways.node(number) else { continue };
+            let open = ways.node(number).filter(|node| node.allows(vehicle));
+            let Some(node) = open else { continue };
             for left in [true, false] {
                 let Some(from) = ways.changes_from(number, &node, left) else { continue };
                 let Some(before) = ways.node(from) else { continue };

@@ -125,8 +125,7 @@ pub(super) fn target_chain<'a>(
                 let ((mut number, mut at), mut last) = (first, own);
                 for _ in 0..MOST_BESIDE {
                     let Some(beside) = ways.beside(number, &at, from_left) else { break };
-                    let before = ways.node(beside).filter(|before| before.allows(vehicle));
-                    let Some(before) = before else { break };
+                    let Some(before) = ways.node(beside) else { break };
                     if ways.change(beside, &before, !from_left) != Some(number) {
                         break;
                     }
@@ -137,6 +136,10 @@ pub(super) fn target_chain<'a>(
                     let place = out.len() as u32;
                     last.node = beside;
                     out.push(last);
+                    // One may be on a closed lane and leave it, but does not change to it.
+                    if !before.allows(vehicle) {
+                        break;
+                    }
                     last.link = place;
                     (number, at) = (beside, before);
                 }

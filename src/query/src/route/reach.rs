@@ -262,8 +262,7 @@ pub(crate) fn reach<'a>(
     start_chain(ways, request.starts, vehicle, &cost, &mut scratch.start);
     // Until a node is reached for good, its label has the changes of lane as its parent; then its number among what is reached.
     let enter = |scratch: &mut RouteScratch, number: u32, cost: f64, changes: u32| {
-        let is_open = cost <= limit && ways.node(number).is_some_and(|to| to.allows(vehicle));
-        if is_open && scratch.improve(number, cost, changes) {
+        if cost <= limit && scratch.improve(number, cost, changes) {
             scratch.heap.push(Open::new(cost, cost, number));
         }
     };
@@ -285,7 +284,8 @@ pub(crate) fn reach<'a>(
         out.extend(part.cut(limit - own, start.pass));
         let passed = own + start.pass;
         ways.ahead(number, |next| {
-            let to = ways.node(next).unwrap_or(node);
+            let to = ways.node(next).filter(|to| node.leads_into(to, vehicle));
+            let Some(to) = to else { return };
             enter(scratch, next, passed + price(cost.enter(&node, &to)), lane_changes);
         });
     }
@@ -299,12 +299,13 @@ pub(crate) fn reach<'a>(
         scratch.set_parent(number, out.len() as u32);
         out.extend(part.cut(limit - own, pass));
         ways.ahead(number, |next| {
-            let to = ways.node(next).unwrap_or(node);
+            let to = ways.node(next).filter(|to| node.leads_into(to, vehicle));
+            let Some(to) = to else { return };
             enter(scratch, next, own + pass + price(cost.enter(&node, &to)), lane_changes);
         });
         for left in [true, false] {
             let Some(beside) = ways.change(number, &node, left) else { continue };
-            let Some(to) = ways.node(beside) else { continue };
+            let Some(to) = ways.node(beside).filter(|to| to.allows(vehicle)) else { continue };
             enter(scratch, beside, own + price(cost.change(&node, &to)), lane_changes + 1);
         }
     }

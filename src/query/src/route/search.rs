@@ -186,13 +186,37 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
         }
         let ways = self.ways;
         ways.ahead(number, |next| {
-            let Some(to) = ways.node(next).filter(|to| to.allows(self.vehicle)) else { return };
+            let Some(to) = ways.node(next) else { return };
+            if !to.allows(self.vehicle) {
+                return self.stay(node, (Hop { from, to: next }, &to), cost, banned);
+            }
             let entered = cost + price(self.cost.enter(node, &to));
             if self.scratch.is_goal(next) {
                 self.finish(next, entered, from, banned);
             }
             self.enter((Hop { from, to: next }, &to), entered, bounds, banned);
         });
+    }
+
+    /// Goes on to the end of a closed lane on which the start is. Landmarks need not know of closed lanes, so no bound counts.
+    #[cold]
+    fn stay(
+        &mut self,
+        node: &LaneNode<'a>,
+        (hop, to): (Hop, &LaneNode<'a>),
+        cost: f64,
+        banned: &[Hop],
+    ) {
+        let entered = cost + price(self.cost.enter(node, to));
+        if entered == f64::INFINITY || !node.stays_on_closed(to, self.vehicle) {
+            return;
+        }
+        if self.scratch.is_goal(hop.to) {
+            self.finish(hop.to, entered, hop.from, banned);
+        }
+        if !banned.contains(&hop) && self.scratch.improve(hop.to, entered, hop.from) {
+            self.scratch.heap.push(Open::new(entered, entered, hop.to));
+        }
     }
 
     /// Ends the way as the node that is entered from behind is beside the target.

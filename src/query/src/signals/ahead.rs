@@ -184,7 +184,7 @@ impl<'a, W: Ways<'a>> AheadSearch<W> {
         let end = before + lane.length_between(s, end);
         if end <= self.reach {
             self.ways.ahead(number, |next| {
-                if self.ways.node(next).is_some_and(|node| node.allows(self.vehicle)) {
+                if self.ways.node(next).is_some_and(|to| node.leads_into(&to, self.vehicle)) {
                     // Bits of numbers that are not negative sort as the numbers do.
                     out.open.push(Reverse((end.max(0.0).to_bits(), next)));
                 }
