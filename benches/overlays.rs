@@ -10,7 +10,9 @@ use mapd_compiler::{CompileOptions, ReadOptions, compile, compile_from};
 use mapd_tests::overlays::over;
 use mapd_tests::town::town;
 use mapd_xodr::Patch;
+use std::fs::File;
 use std::hint::black_box;
+use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::Arc;
@@ -104,6 +106,10 @@ fn asking(snapshot: &Snapshot, text: &str, folder: &Path) {
     print(&format!(
         "a daemon that is asked for one entry: a waiting client has it {median:.2?} (99 %: {late:.2?}) after, {ASKED} times"
     ));
+    let cache = std::fs::read_dir(folder.join("cache")).expect("a folder");
+    let names = cache.map(|entry| entry.expect("an entry").path());
+    let state = names.into_iter().find(|path| path.to_string_lossy().ends_with(".overlay.json"));
+    synced(&std::fs::read(state.expect("the state")).expect("the state"), folder);
     let looks = best(3, || {
         for _ in 0..LOOKS {
             black_box(client.refresh().expect("the map"));
@@ -112,6 +118,29 @@ fn asking(snapshot: &Snapshot, text: &str, folder: &Path) {
     print(&format!("asking for news where there is none: {:.0?} each", looks / LOOKS));
     Command::new("kill").arg(daemon.id().to_string()).status().expect("kill runs");
     daemon.wait().expect("waited for");
+}
+
+/// What the disk takes of that: the daemon's state written, synced and renamed by itself, with the folder synced.
+fn synced(state: &[u8], folder: &Path) {
+    let (draft, place) = (folder.join("state.new"), folder.join("state"));
+    let write = || -> std::io::Result<()> {
+        let mut file = File::create(&draft)?;
+        file.write_all(state)?;
+        file.sync_all()?;
+        std::fs::rename(&draft, &place)?;
+        File::open(folder)?.sync_all()
+    };
+    let times = (0..ASKED).map(|_| {
+        std::thread::sleep(PAUSE);
+        let begun = Instant::now();
+        write().expect("the state is written");
+        begun.elapsed()
+    });
+    let (median, late) = percentiles(times.collect());
+    print(&format!(
+        "its state of {} B, written, synced and renamed by itself: {median:.2?} (99 %: {late:.2?}), {ASKED} times",
+        state.len()
+    ));
 }
 
 /// Bytes of an overlay that closes the middle of as many lanes.

@@ -188,7 +188,7 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
         ways.ahead(number, |next| {
             let Some(to) = ways.node(next) else { return };
             if !to.allows(self.vehicle) {
-                return self.stay(node, (Hop { from, to: next }, &to), cost, banned);
+                return self.stay(number, Hop { from, to: next }, cost, banned);
             }
             let entered = cost + price(self.cost.enter(node, &to));
             if self.scratch.is_goal(next) {
@@ -200,15 +200,10 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
 
     /// Goes on to the end of a closed lane on which the start is. Landmarks need not know of closed lanes, so no bound counts.
     #[cold]
-    fn stay(
-        &mut self,
-        node: &LaneNode<'a>,
-        (hop, to): (Hop, &LaneNode<'a>),
-        cost: f64,
-        banned: &[Hop],
-    ) {
-        let entered = cost + price(self.cost.enter(node, to));
-        if entered == f64::INFINITY || !node.stays_on_closed(to, self.vehicle) {
+    fn stay(&mut self, number: u32, hop: Hop, cost: f64, banned: &[Hop]) {
+        let Some((node, to)) = self.ways.node(number).zip(self.ways.node(hop.to)) else { return };
+        let entered = cost + price(self.cost.enter(&node, &to));
+        if entered == f64::INFINITY || !node.stays_on_closed(&to, self.vehicle) {
             return;
         }
         if self.scratch.is_goal(hop.to) {
