@@ -94,13 +94,13 @@ pub use object_codes::{
 pub use open::{Archive, open, string};
 pub use overlay::{Overlay, open_overlay, overlay_changes_ways, overlay_string, verify_overlay};
 pub use overlay_codes::OverlayKind;
-pub use points::{PointCode, PointReader};
+pub use points::{PackedPoint, PointCode, PointReader};
 pub use road_rules::{FromSide, RoadRules};
 pub use signal_codes::{
     LaneMethod, NO_RELATION, Orientation, Relation, RelationReason, SignalPosition, signal_flags,
     signal_values,
 };
-pub use strings::StringTable;
+pub use strings::{StringTable, StringTables};
 pub use table::{ArchivedRange, Range, Table, TableInfo};
 pub use unknown::{Unknown, unknown};
 pub use verify::verify;

@@ -183,6 +183,15 @@ impl PointCode {
     }
 }
 
+/// A point as it is packed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PackedPoint {
+    /// Number of its station.
+    pub station: u32,
+    /// x, y and z from the section's frame `[m]`.
+    pub offset: [f64; 3],
+}
+
 /// A code with what is the same for all its points.
 #[derive(Clone, Copy, Debug)]
 pub struct PointReader {
@@ -195,12 +204,12 @@ pub struct PointReader {
 }
 
 impl PointReader {
-    /// Station's number and offset of the point that begins with the first of some bytes: what [`PointCode::station`] and
-    /// [`PointCode::offset`] give.
+    /// The point that begins with the first of some bytes: what [`PointCode::station`] and [`PointCode::offset`] give.
     #[inline]
-    pub fn read(&self, bytes: &[u8]) -> (u32, [f64; 3]) {
+    pub fn read(&self, bytes: &[u8]) -> PackedPoint {
         if self.code.bytes > 8 {
-            return (self.code.station(bytes), self.code.offset(bytes));
+            let (station, offset) = (self.code.station(bytes), self.code.offset(bytes));
+            return PackedPoint { station, offset };
         }
         let all = low(bytes);
         let [station, x, y, z] = self.masks;
@@ -210,7 +219,7 @@ impl PointReader {
             // Less than 2⁶³, so that the sign does not matter.
             *offset *= (all.unbounded_shr(shift.into()) & mask) as i64 as f64;
         }
-        ((all & station) as u32, offset)
+        PackedPoint { station: (all & station) as u32, offset }
     }
 }
 
@@ -280,7 +289,7 @@ mod tests {
             for _ in 0..2 {
                 assert_eq!(code.station(&out), station);
                 let found = code.offset(&out);
-                assert_eq!(code.reader().read(&out), (station, found));
+                assert_eq!(code.reader().read(&out), PackedPoint { station, offset: found });
                 for axis in 0..3 {
                     assert!((found[axis] - offset[axis]).abs() <= 0.5 * step, "{code:?} {axis}");
                 }

@@ -44,6 +44,15 @@ impl Default for StringTable {
     }
 }
 
+/// The tables of an archive's strings.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StringTables {
+    /// UTF-8 text of all strings, one after the other.
+    pub bytes: Vec<u8>,
+    /// Start of each string, and the end of the last.
+    pub offsets: Vec<u32>,
+}
+
 impl StringTable {
     /// Number of a text; adds it if it is new.
     ///
@@ -125,7 +134,7 @@ impl StringTable {
     }
 
     /// The two tables.
-    pub fn into_tables(self) -> (Vec<u8>, Vec<u32>) {
-        (self.bytes, self.offsets)
+    pub fn into_tables(self) -> StringTables {
+        StringTables { bytes: self.bytes, offsets: self.offsets }
     }
 }

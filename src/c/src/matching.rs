@@ -325,7 +325,7 @@ pub unsafe extern "C" fn mapd_match_pose_batch(
             matrices.extend(nine);
             map_of(snapshot)?
                 .match_poses(own, matrices, &options, batch, batch_matches)
-                .map_err(|error| Failure::from(error.error).of_entry(error.pose))?;
+                .map_err(|error| Failure::from(error.source).of_entry(error.pose))?;
             let found = &*batch_matches;
             if !ends.is_null() {
                 let (mut end, mut pose) = (0, 0..);

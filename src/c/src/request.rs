@@ -290,7 +290,8 @@ pub unsafe extern "C" fn mapd_view_find_route(
 unsafe fn alternatives(
     options: *const mapd_alternative_options,
     scratch: *mut mapd_scratch,
-    (sums, ends): (List<mapd_route_sum>, *mut usize),
+    sums: List<mapd_route_sum>,
+    ends: *mut usize,
     steps: List<mapd_route_step>,
     ask: impl FnOnce(&AlternativeOptions, &mut RouteScratch, &mut Routes) -> Result<(), RouteError>,
 ) -> Outcome {
@@ -338,9 +339,9 @@ pub unsafe extern "C" fn mapd_alternatives(
     unsafe {
         answer(error, || {
             let (map, own) = (map_of(snapshot)?, request_of(request)?);
-            let sums = (List { out: sums, capacity, count }, ends);
+            let sums = List { out: sums, capacity, count };
             let steps = List { out, capacity: step_capacity, count: step_count };
-            alternatives(options, scratch, sums, steps, |options, scratch, out| {
+            alternatives(options, scratch, sums, ends, steps, |options, scratch, out| {
                 map.alternatives(&own.request(), options, scratch, out)
             })
         })
@@ -368,9 +369,9 @@ pub unsafe extern "C" fn mapd_view_alternatives(
     unsafe {
         answer(error, || {
             let (view, own) = (view_of(view)?, request_of(request)?);
-            let sums = (List { out: sums, capacity, count }, ends);
+            let sums = List { out: sums, capacity, count };
             let steps = List { out, capacity: step_capacity, count: step_count };
-            alternatives(options, scratch, sums, steps, |options, scratch, out| {
+            alternatives(options, scratch, sums, ends, steps, |options, scratch, out| {
                 view.alternatives(&own.request(), options, scratch, out)
             })
         })

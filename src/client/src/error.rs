@@ -13,35 +13,32 @@ pub enum ClientError {
     #[error(transparent)]
     Attach(#[from] AttachError),
     /// The bytes are not an archive that this release can read.
-    #[error("{source_name}: {error}")]
+    #[error("{source_name}: {source}")]
     Open {
         /// File or map name.
         source_name: String,
         /// What is wrong.
-        #[source]
-        error: OpenError,
+        source: OpenError,
     },
     /// The archive failed verification.
-    #[error("{source_name}: {error}")]
+    #[error("{source_name}: {source}")]
     Verify {
         /// File or map name.
         source_name: String,
         /// What is wrong.
-        #[source]
-        error: VerifyError,
+        source: VerifyError,
     },
     /// The archive is not signed by the trusted key, or was changed after signing.
     #[cfg(feature = "trust")]
     #[error(transparent)]
     Trust(#[from] crate::trust::TrustError),
     /// The file cannot be read.
-    #[error("{}: {error}", path.display())]
+    #[error("{}: {source}", path.display())]
     File {
         /// The file.
         path: PathBuf,
         /// The system's error.
-        #[source]
-        error: std::io::Error,
+        source: std::io::Error,
     },
 }
 

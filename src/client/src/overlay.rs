@@ -68,13 +68,12 @@ pub enum ProposeError {
         wait: Duration,
     },
     /// The socket cannot be used, or the answer not be understood.
-    #[error("map {map:?}: proposal to the daemon: {error}")]
+    #[error("map {map:?}: proposal to the daemon: {source}")]
     Io {
         /// The map.
         map: String,
         /// What the system says.
-        #[source]
-        error: io::Error,
+        source: io::Error,
     },
 }
 
@@ -129,7 +128,7 @@ impl Proposer {
                 io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => {
                     ProposeError::Late { map, wait }
                 }
-                _ => ProposeError::Io { map, error },
+                _ => ProposeError::Io { map, source: error },
             }
         })
     }

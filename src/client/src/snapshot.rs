@@ -78,8 +78,8 @@ impl Snapshot {
     /// Errors: the file cannot be read or is not an archive that this release can read.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, ClientError> {
         let path = path.as_ref();
-        let map =
-            file::map(path).map_err(|error| ClientError::File { path: path.to_owned(), error })?;
+        let map = file::map(path)
+            .map_err(|source| ClientError::File { path: path.to_owned(), source })?;
         Self::new(Memory::File(map), 0, &path.display().to_string())
     }
 
@@ -108,7 +108,7 @@ impl Snapshot {
         let bytes: &'static [u8] =
             unsafe { std::slice::from_raw_parts(bytes.as_ptr(), bytes.len()) };
         let archive = open(bytes)
-            .map_err(|error| ClientError::Open { source_name: name.to_owned(), error })?;
+            .map_err(|source| ClientError::Open { source_name: name.to_owned(), source })?;
         let inner = Arc::new(Inner { archive, memory, generation, source_name: name.into() });
         Ok(Self { inner, over: None })
     }
@@ -143,7 +143,7 @@ impl Snapshot {
             unsafe { std::slice::from_raw_parts(bytes.as_ptr(), bytes.len()) };
         let source_name = || self.inner.source_name.to_string();
         let overlay = open_overlay(bytes)
-            .map_err(|error| ClientError::Open { source_name: source_name(), error })?;
+            .map_err(|source| ClientError::Open { source_name: source_name(), source })?;
         if overlay.header.provenance.input_hash != self.header().content_hash {
             return Err(self.other_content());
         }
@@ -217,6 +217,6 @@ impl Snapshot {
         let source_name = || self.inner.source_name.to_string();
         verify(self.bytes())
             .map(|_| ())
-            .map_err(|error| ClientError::Verify { source_name: source_name(), error })
+            .map_err(|source| ClientError::Verify { source_name: source_name(), source })
     }
 }

@@ -45,15 +45,14 @@ pub enum TrustError {
         reason: String,
     },
     /// There is no signature.
-    #[error("{archive} is not signed: {}: {reason}; sign it with `mapd sign {archive} --key SECRET`", signature.display())]
+    #[error("{archive} is not signed: {}: {source}; sign it with `mapd sign {archive} --key SECRET`", signature.display())]
     Unsigned {
         /// The archive.
         archive: String,
         /// Where its signature should be.
         signature: PathBuf,
         /// The system's error.
-        #[source]
-        reason: std::io::Error,
+        source: std::io::Error,
     },
     /// The signature cannot be read.
     #[error(
@@ -189,10 +188,10 @@ pub fn signature_path(archive: &Path) -> PathBuf {
 /// Errors: [`TrustError::Unsigned`].
 pub fn read_signature(archive: &Path) -> Result<String, TrustError> {
     let signature = signature_path(archive);
-    read(&signature).map_err(|reason| TrustError::Unsigned {
+    read(&signature).map_err(|source| TrustError::Unsigned {
         archive: archive.display().to_string(),
         signature,
-        reason,
+        source,
     })
 }
 

@@ -52,7 +52,7 @@ pub(crate) fn signable(file: &Path) -> Result<(), NotSignable> {
 pub(crate) fn is_distrust(error: &anyhow::Error) -> bool {
     error.chain().any(|cause| {
         let filling = match cause.downcast_ref() {
-            Some(ServeError::Fill { error, .. }) => error.is::<TrustError>(),
+            Some(ServeError::Fill { source, .. }) => source.is::<TrustError>(),
             _ => false,
         };
         let opening = match cause.downcast_ref() {

@@ -10,10 +10,10 @@
 mod links;
 mod walk;
 
-use crate::on_earth::Placed;
+use crate::on_earth::ResolvedPlace;
 use crate::place::{Across, EarthPlace};
 use crate::placements::LINES_TOGETHER;
-use crate::places::{SHORTEST, Stretch, Unfit};
+use crate::places::{PlaceError, SHORTEST, Stretch};
 use mapd_query::glam::DVec2;
 use mapd_query::{Lane, LaneTypes, Map};
 use std::cell::{Cell, RefCell};
@@ -80,9 +80,9 @@ impl UnplacedPart {
         self.length += length;
     }
 
-    fn unfit(&self, field: &str) -> Option<Unfit> {
+    fn error(&self, field: &str) -> Option<PlaceError> {
         let why = self.why.as_ref()?;
-        Some((field.to_owned(), format!("{why}; over {:.0} m in all", self.length)))
+        Some(PlaceError::new(field, format!("{why}; over {:.0} m in all", self.length)))
     }
 }
 
@@ -102,7 +102,7 @@ impl<'a> Lines<'a> {
         &self,
         points: &[DVec2],
         place: &EarthPlace,
-    ) -> Result<Placed<'a>, Unfit> {
+    ) -> Result<ResolvedPlace<'a>, PlaceError> {
         let tolerance = place.tolerance.unwrap_or(LINE_TOLERANCE);
         let followed = self.followed(points, tolerance)?;
         let (mut other, mut stretches) = (UnplacedPart::default(), Vec::new());
@@ -116,17 +116,17 @@ impl<'a> Lines<'a> {
             }
         }
         let stretches = joined(stretches);
-        let mut parts: Vec<Unfit> =
-            [followed.off.unfit("line"), other.unfit("lanes")].into_iter().flatten().collect();
+        let mut unplaced: Vec<PlaceError> =
+            [followed.off.error("line"), other.error("lanes")].into_iter().flatten().collect();
         if stretches.is_empty() {
-            let nothing = || ("line".to_owned(), "lies on no lane".to_owned());
-            return Err(parts.pop().unwrap_or_else(nothing));
+            let nothing = || PlaceError::new("line", "lies on no lane");
+            return Err(unplaced.pop().unwrap_or_else(nothing));
         }
-        Ok(Placed { stretches, parts })
+        Ok(ResolvedPlace { stretches, unplaced })
     }
 
-    fn followed(&self, points: &[DVec2], tolerance: f64) -> Result<Rc<Followed<'a>>, Unfit> {
-        let unfit = |why: String| ("line".to_owned(), why);
+    fn followed(&self, points: &[DVec2], tolerance: f64) -> Result<Rc<Followed<'a>>, PlaceError> {
+        let unfit = |why: String| PlaceError::new("line", why);
         if let Some(known) = &*self.last.borrow()
             && known.points == points
             && known.tolerance == tolerance

@@ -5,7 +5,7 @@
 
 use crate::line::Lines;
 use crate::place::EarthPlace;
-use crate::places::{Stretch, Unfit, WIDENED};
+use crate::places::{PlaceError, Stretch, WIDENED};
 use mapd_query::geodesy::{Geodetic, Projector};
 use mapd_query::glam::DVec2;
 use mapd_query::{Lane, LaneTypes, Map, Region};
@@ -17,10 +17,11 @@ const AREA_STEP: f64 = 0.5;
 /// Ends are found to this `[m]`.
 const EXACT: f64 = 1e-3;
 
-/// Of a place: its stretches, and what of it could not be placed.
-pub(crate) struct Placed<'a> {
+/// The stretches of one place.
+pub(crate) struct ResolvedPlace<'a> {
     pub(crate) stretches: Vec<Stretch<'a>>,
-    pub(crate) parts: Vec<Unfit>,
+    /// What could not be placed.
+    pub(crate) unplaced: Vec<PlaceError>,
 }
 
 /// The stretches that a place means.
@@ -31,15 +32,17 @@ pub(crate) fn on_earth<'a>(
     lines: &Lines<'a>,
     projector: &Projector,
     place: &EarthPlace,
-) -> Result<Placed<'a>, Unfit> {
+) -> Result<ResolvedPlace<'a>, PlaceError> {
     let field = if place.area.is_empty() { "line" } else { "area" };
     let given = if place.area.is_empty() { &place.line } else { &place.area };
     let mut points = Vec::with_capacity(given.len());
     for (i, [latitude, longitude]) in given.iter().copied().enumerate() {
-        let point =
-            projector.from_geodetic(Geodetic { latitude, longitude, altitude: 0.0 }).map_err(
-                |error| (format!("{field}[{i}]"), format!("outside the map's projection: {error}")),
-            )?;
+        let point = projector
+            .from_geodetic(Geodetic { latitude, longitude, altitude: 0.0 })
+            .map_err(|error| {
+                let why = format!("outside the map's projection: {error}");
+                PlaceError::new(format!("{field}[{i}]"), why)
+            })?;
         points.push(point.truncate());
     }
     if place.area.is_empty() {
@@ -99,8 +102,8 @@ impl<'p> Area<'p> {
         rows.flat_map(|row| &self.rows[row]).map(|number| self.side(*number))
     }
 
-    fn stretches<'a>(&self, map: Map<'a>) -> Result<Placed<'a>, Unfit> {
-        let unfit = |why: String| ("area".to_owned(), why);
+    fn stretches<'a>(&self, map: Map<'a>) -> Result<ResolvedPlace<'a>, PlaceError> {
+        let unfit = |why: String| PlaceError::new("area", why);
         let low = self.ring.iter().copied().reduce(DVec2::min).unwrap_or_default();
         let high = self.ring.iter().copied().reduce(DVec2::max).unwrap_or_default();
         let region = Region { low: low - self.tolerance, high: high + self.tolerance };
@@ -115,7 +118,7 @@ impl<'p> Area<'p> {
         }
         match stretches.is_empty() {
             true => Err(unfit("no lane lies in it".to_owned())),
-            false => Ok(Placed { stretches, parts: Vec::new() }),
+            false => Ok(ResolvedPlace { stretches, unplaced: Vec::new() }),
         }
     }
 

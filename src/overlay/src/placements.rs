@@ -3,8 +3,8 @@
 use crate::document::Document;
 use crate::entry::Entry;
 use crate::pieces::{self, Mark, Marks, SHORTEST_PIECE};
-use crate::places::{Ground, Stretch, Unfit, field};
-use crate::resolve::{Policy, Resolved, Unplaced, add, place, raised};
+use crate::places::{PlaceError, PlaceResolver, Stretch, field};
+use crate::resolve::{Policy, Resolved, Unplaced, add, raised, resolve_entry};
 use mapd_archive::{OverlayRows, SignalEntryRow, StringTable};
 use mapd_query::{Lane, LaneId, Map, SRange};
 use std::collections::{BTreeMap, BTreeSet};
@@ -31,34 +31,51 @@ pub struct Placements {
 #[derive(Debug)]
 struct Known {
     entry: Entry,
-    places: Result<Places, Unfit>,
+    location: Result<KnownLocation, PlaceError>,
     /// What its lines measure within the map `[m]`.
     lines: f64,
 }
 
 #[derive(Debug)]
-struct Places {
-    holds: Holds,
+struct KnownLocation {
+    location: EntryLocation,
     /// Where the stretches of each place end, in the order of [`field`].
     ends: Vec<u32>,
-    parts: Vec<Unfit>,
+    /// What could not be placed.
+    unplaced: Vec<PlaceError>,
+}
+
+/// A stretch of a lane on which an entry holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocatedStretch {
+    /// The lane.
+    pub lane: LaneId,
+    /// The lower s on the lane's road `[m]`.
+    pub s_from: f64,
+    /// The higher s on the lane's road `[m]`.
+    pub s_to: f64,
+}
+
+impl LocatedStretch {
+    /// Whether both have a place in common.
+    fn overlaps(&self, other: &Self) -> bool {
+        self.lane == other.lane && self.s_from <= other.s_to && other.s_from <= self.s_to
+    }
 }
 
 /// Where an entry holds.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Holds {
-    /// Lanes, each from where to where on its road `[m]`.
-    pub stretches: Vec<(LaneId, f64, f64)>,
+pub struct EntryLocation {
+    /// Stretches of lanes.
+    pub stretches: Vec<LocatedStretch>,
     /// Rows of signals.
     pub signals: Vec<u32>,
 }
 
-impl Holds {
+impl EntryLocation {
     /// Whether both hold somewhere on the same lane, or of the same signal.
-    pub fn meets(&self, other: &Self) -> bool {
-        let on_one = |a: &(LaneId, f64, f64)| {
-            other.stretches.iter().any(|b| a.0 == b.0 && a.1 <= b.2 && b.1 <= a.2)
-        };
+    pub fn overlaps(&self, other: &Self) -> bool {
+        let on_one = |a: &LocatedStretch| other.stretches.iter().any(|b| a.overlaps(b));
         self.stretches.iter().any(on_one)
             || self.signals.iter().any(|signal| other.signals.contains(signal))
     }
@@ -90,37 +107,39 @@ impl Placements {
         if !self.is_of(map) {
             return;
         }
-        let ground = Ground::new(map);
+        let resolver = PlaceResolver::new(map);
         for entry in &document.entries {
-            let is_over = ground.left() < 0.0 && !entry.places.is_empty();
+            let is_over = resolver.left() < 0.0 && !entry.places.is_empty();
             if is_over || self.has(entry) {
                 continue;
             }
-            let before = ground.left();
-            let places = place(&ground, entry, self.policy).map(|found| {
-                let stretch = |one: &Stretch<'_>| (one.lane.lane_id(), one.s_from, one.s_to);
-                let stretches = found.stretches.iter().map(stretch).collect();
-                let holds = Holds { stretches, signals: found.signals };
-                Places { holds, ends: found.ends, parts: found.parts }
+            let before = resolver.left();
+            let location = resolve_entry(&resolver, entry, self.policy).map(|found| {
+                let stretch = |one: &Stretch<'_>| LocatedStretch {
+                    lane: one.lane.lane_id(),
+                    s_from: one.s_from,
+                    s_to: one.s_to,
+                };
+                let stretches = found.places.stretches.iter().map(stretch).collect();
+                let location = EntryLocation { stretches, signals: found.signals };
+                let (ends, unplaced) = (found.places.ends, found.places.unplaced);
+                KnownLocation { location, ends, unplaced }
             });
-            if ground.left() < 0.0 && !entry.places.is_empty() {
+            if resolver.left() < 0.0 && !entry.places.is_empty() {
                 // What is over may have a place once there is less.
                 continue;
             }
-            let known = Known { entry: entry.clone(), places, lines: before - ground.left() };
+            let known = Known { entry: entry.clone(), location, lines: before - resolver.left() };
             self.known.insert(entry.id.clone(), known);
         }
     }
 
     /// Where an entry of this name holds; none if it is not placed.
     ///
-    /// Errors: it does not fit the map: field and reason.
-    pub fn holds(&self, id: &str) -> Option<Result<&Holds, (&str, &str)>> {
+    /// Errors: it does not fit the map.
+    pub fn location(&self, id: &str) -> Option<Result<&EntryLocation, &PlaceError>> {
         let known = self.known.get(id)?;
-        Some(match &known.places {
-            Ok(places) => Ok(&places.holds),
-            Err((field, why)) => Err((field, why)),
-        })
+        Some(known.location.as_ref().map(|known| &known.location))
     }
 
     /// Takes over what others have, if they are of the same map.
@@ -156,8 +175,8 @@ impl Placements {
         &self,
         map: Map<'_>,
         document: &Document,
-        gone: &BTreeMap<usize, Unfit>,
-    ) -> (Resolved, BTreeMap<usize, Unfit>) {
+        gone: &BTreeMap<usize, PlaceError>,
+    ) -> (Resolved, BTreeMap<usize, PlaceError>) {
         let mut rows = OverlayRows::default();
         let mut strings = StringTable::default();
         let (mut marks, mut unplaced) = (Marks::new(), Vec::new());
@@ -168,32 +187,32 @@ impl Placements {
             let unfit = |why, is_part| unplaced_entry(document, number, why, is_part);
             let known = self.known.get(&entry.id).filter(|known| known.entry == *entry);
             lines += known.map_or(f64::INFINITY, |known| known.lines);
-            match known.map(|known| &known.places) {
+            match known.map(|known| &known.location) {
                 _ if gone.contains_key(&number) => {
                     unplaced.extend(gone.get(&number).map(|why| unfit(why.clone(), false)));
                 }
                 Some(Err(why)) => unplaced.push(unfit(why.clone(), false)),
-                Some(Ok(places)) if lines <= LINES_TOGETHER || entry.places.is_empty() => {
-                    unplaced.extend(places.parts.iter().map(|part| unfit(part.clone(), true)));
+                Some(Ok(known)) if lines <= LINES_TOGETHER || entry.places.is_empty() => {
+                    unplaced.extend(known.unplaced.iter().map(|part| unfit(part.clone(), true)));
                     let own = add(entry, &mut strings, &mut rows);
-                    own_places.push((number, places_in_all as usize, places.ends.len()));
-                    for (i, (lane, s_from, s_to)) in places.holds.stretches.iter().enumerate() {
-                        let Ok(lane) = map.lane(*lane) else { continue };
-                        let before = places.ends.partition_point(|end| *end as usize <= i);
-                        let [s_from, s_to] = [*s_from, *s_to];
+                    own_places.push((number, places_in_all as usize, known.ends.len()));
+                    for (i, stretch) in known.location.stretches.iter().enumerate() {
+                        let LocatedStretch { lane, s_from, s_to } = *stretch;
+                        let Ok(lane) = map.lane(lane) else { continue };
+                        let before = known.ends.partition_point(|end| *end as usize <= i);
                         let place = places_in_all + before as u32;
                         mark(&lane, Mark { s_from, s_to, entry: own, place }, &mut marks);
                     }
-                    places_in_all += places.ends.len() as u32;
+                    places_in_all += known.ends.len() as u32;
                     let of_signal = |signal: &u32| SignalEntryRow { signal: *signal, entry: own };
-                    rows.signal_entries.extend(places.holds.signals.iter().map(of_signal));
+                    rows.signal_entries.extend(known.location.signals.iter().map(of_signal));
                 }
                 _ => {
                     let why = format!(
                         "all lines together are longer than {} km within the map",
                         LINES_TOGETHER / 1e3
                     );
-                    unplaced.push(unfit(("places".to_owned(), why), false));
+                    unplaced.push(unfit(PlaceError::new("places", why), false));
                 }
             }
         }
@@ -214,8 +233,9 @@ impl Placements {
         unplaced.sort_by_key(|unfit| unfit.number);
         let row = raised(map, &rows);
         rows.overlay.push(row);
-        let (bytes, offsets) = strings.into_tables();
-        (rows.string_bytes, rows.string_offsets) = (bytes.into(), offsets.into());
+        let strings = strings.into_tables();
+        rows.string_bytes = strings.bytes.into();
+        rows.string_offsets = strings.offsets.into();
         (Resolved { rows, unplaced }, more)
     }
 
@@ -232,20 +252,21 @@ impl Placements {
 fn unplaced_entry(
     document: &Document,
     number: usize,
-    (field, why): Unfit,
+    error: PlaceError,
     is_part: bool,
 ) -> Unplaced {
+    let PlaceError { field, why } = error;
     let id = document.entries.get(number).map(|entry| entry.id.clone()).unwrap_or_default();
     Unplaced { id, number, field, why, is_part }
 }
 
 /// A place of an entry of which nothing is left where lanes are cut.
-fn too_short(document: &Document, number: usize, place: usize) -> Unfit {
+fn too_short(document: &Document, number: usize, place: usize) -> PlaceError {
     let field = document.entries.get(number).map(|entry| field(entry, place));
     let why = format!(
         "too short to be cut out of a lane: within {SHORTEST_PIECE} m there is a section's end or that of another entry"
     );
-    (field.unwrap_or_default(), why)
+    PlaceError::new(field.unwrap_or_default(), why)
 }
 
 /// Marks the nodes that a stretch of a lane touches.

@@ -2,11 +2,12 @@
 
 use crate::entry::Entry;
 use crate::line::Lines;
-use crate::on_earth::{Placed, on_earth};
+use crate::on_earth::on_earth;
 use crate::place::LaneStretch;
 use mapd_query::geodesy::Projector;
 use mapd_query::{Lane, LaneKey, Map, Road, SRange};
 use std::cell::OnceCell;
+use thiserror::Error;
 
 /// Shortest stretch `[m]`: of a shorter one nothing might be left where lanes are cut.
 pub(crate) const SHORTEST: f64 = 0.1;
@@ -24,18 +25,31 @@ pub(crate) struct Stretch<'a> {
     pub(crate) s_to: f64,
 }
 
-/// What cannot be placed: field and reason.
-pub(crate) type Unfit = (String, String);
+/// Why a place does not fit the map.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{field}: {why}")]
+pub struct PlaceError {
+    /// The field that does not fit, such as `lanes[0].road`.
+    pub field: String,
+    /// Why.
+    pub why: String,
+}
 
-/// A map on which places are looked for.
-pub(crate) struct Ground<'a> {
+impl PlaceError {
+    pub(crate) fn new(field: impl Into<String>, why: impl Into<String>) -> Self {
+        Self { field: field.into(), why: why.into() }
+    }
+}
+
+/// Resolves places on a map.
+pub(crate) struct PlaceResolver<'a> {
     pub(crate) map: Map<'a>,
     lines: Lines<'a>,
     /// Made once, where a place needs it.
     projector: OnceCell<Result<Projector, String>>,
 }
 
-impl<'a> Ground<'a> {
+impl<'a> PlaceResolver<'a> {
     pub(crate) fn new(map: Map<'a>) -> Self {
         Self { map, lines: Lines::new(map), projector: OnceCell::new() }
     }
@@ -52,8 +66,10 @@ impl<'a> Ground<'a> {
 }
 
 /// The stretches of all places of an entry.
-pub(crate) struct OfPlaces<'a> {
-    pub(crate) placed: Placed<'a>,
+pub(crate) struct ResolvedPlaces<'a> {
+    pub(crate) stretches: Vec<Stretch<'a>>,
+    /// What could not be placed.
+    pub(crate) unplaced: Vec<PlaceError>,
     /// Where the stretches of each place end, in the order of [`field`].
     pub(crate) ends: Vec<u32>,
 }
@@ -68,43 +84,48 @@ pub(crate) fn field(entry: &Entry, number: usize) -> String {
     }
 }
 
-/// All stretches of an entry, and what of it could not be placed.
+/// Resolves all places of an entry.
 ///
 /// Errors: the first place that the map does not have.
-pub(crate) fn stretches<'a>(ground: &Ground<'a>, entry: &Entry) -> Result<OfPlaces<'a>, Unfit> {
-    let (map, mut found, mut parts, mut ends) = (ground.map, Vec::new(), Vec::new(), Vec::new());
+pub(crate) fn resolve_places<'a>(
+    resolver: &PlaceResolver<'a>,
+    entry: &Entry,
+) -> Result<ResolvedPlaces<'a>, PlaceError> {
+    let map = resolver.map;
+    let (mut stretches, mut unplaced, mut ends) = (Vec::new(), Vec::new(), Vec::new());
     for (i, place) in entry.places.iter().enumerate() {
-        let named = |(field, why): Unfit| (format!("places[{i}].{field}"), why);
-        let none = |why| (format!("places[{i}]"), why);
-        let projector = ground.projector().map_err(none)?;
-        let placed = on_earth(map, &ground.lines, projector, place).map_err(named)?;
-        found.extend(placed.stretches);
-        parts.extend(placed.parts.into_iter().map(named));
-        ends.push(found.len() as u32);
+        let named =
+            |error: PlaceError| PlaceError::new(format!("places[{i}].{}", error.field), error.why);
+        let none = |why: String| PlaceError::new(format!("places[{i}]"), why);
+        let projector = resolver.projector().map_err(none)?;
+        let place = on_earth(map, &resolver.lines, projector, place).map_err(named)?;
+        stretches.extend(place.stretches);
+        unplaced.extend(place.unplaced.into_iter().map(named));
+        ends.push(stretches.len() as u32);
     }
     for (i, place) in entry.lanes.iter().enumerate() {
-        of_lanes(map, place, &mut found)
-            .map_err(|(field, why)| (format!("lanes[{i}].{field}"), why))?;
-        ends.push(found.len() as u32);
+        of_lanes(map, place, &mut stretches)
+            .map_err(|(field, why)| PlaceError::new(format!("lanes[{i}].{field}"), why))?;
+        ends.push(stretches.len() as u32);
     }
     for (i, id) in entry.objects.iter().enumerate() {
-        let unfit = |why: &str| (format!("objects[{i}]"), why.to_owned());
+        let unfit = |why: &str| PlaceError::new(format!("objects[{i}]"), why);
         let object = map.object_by_id(id).ok_or_else(|| unfit("the map has no such object"))?;
-        let before = found.len();
+        let before = stretches.len();
         for on in object.lanes() {
             if let Some(lane) = on.lane().filter(|lane| lane.nodes().next().is_some()) {
                 let SRange { low: s_from, high: s_to } = on.s_range();
                 let middle = 0.5 * (s_from + s_to);
                 let half = (0.5 * (s_to - s_from)).max(0.5 * WIDENED);
-                found.push(Stretch { lane, s_from: middle - half, s_to: middle + half });
+                stretches.push(Stretch { lane, s_from: middle - half, s_to: middle + half });
             }
         }
-        if found.len() == before {
+        if stretches.len() == before {
             return Err(unfit("the object lies on no lane"));
         }
-        ends.push(found.len() as u32);
+        ends.push(stretches.len() as u32);
     }
-    Ok(OfPlaces { placed: Placed { stretches: found, parts }, ends })
+    Ok(ResolvedPlaces { stretches, unplaced, ends })
 }
 
 fn of_lanes<'a>(

@@ -2,9 +2,8 @@
 
 use crate::document::Document;
 use crate::entry::{Entry, Kind};
-use crate::on_earth::Placed;
 use crate::placements::Placements;
-use crate::places::{Ground, OfPlaces, Stretch, Unfit, stretches};
+use crate::places::{PlaceError, PlaceResolver, ResolvedPlaces, Stretch, resolve_places};
 use mapd_archive::{
     OverlayEntryRow, OverlayKind, OverlayRow, OverlayRows, Range, StringTable, VehicleClass,
     WeeklyRow,
@@ -49,40 +48,38 @@ pub fn resolve(map: Map<'_>, document: &Document, policy: Policy) -> Resolved {
 }
 
 /// Where an entry holds.
-pub(crate) struct Found<'a> {
-    pub(crate) stretches: Vec<Stretch<'a>>,
-    /// As in [`OfPlaces`].
-    pub(crate) ends: Vec<u32>,
+pub(crate) struct ResolvedEntry<'a> {
+    pub(crate) places: ResolvedPlaces<'a>,
+    /// Rows of signals.
     pub(crate) signals: Vec<u32>,
-    pub(crate) parts: Vec<Unfit>,
 }
 
 /// Where an entry holds.
 ///
 /// Errors: it does not fit the map, or allows more than is taken.
-pub(crate) fn place<'a>(
-    ground: &Ground<'a>,
+pub(crate) fn resolve_entry<'a>(
+    resolver: &PlaceResolver<'a>,
     entry: &Entry,
     policy: Policy,
-) -> Result<Found<'a>, Unfit> {
-    let OfPlaces { placed: Placed { stretches, parts }, ends } = stretches(ground, entry)?;
+) -> Result<ResolvedEntry<'a>, PlaceError> {
+    let places = resolve_places(resolver, entry)?;
     let mut signals = Vec::new();
     for (i, id) in entry.signals.iter().enumerate() {
-        let known = ground.map.signal_by_id(id);
-        let unfit = || (format!("signals[{i}]"), "the map has no such signal".to_owned());
+        let known = resolver.map.signal_by_id(id);
+        let unfit = || PlaceError::new(format!("signals[{i}]"), "the map has no such signal");
         signals.push(known.ok_or_else(unfit)?.signal_id().row());
     }
     if !policy.may_loosen {
-        loosens(entry, &stretches).map_or(Ok(()), Err)?;
+        loosens(entry, &places.stretches).map_or(Ok(()), Err)?;
     }
-    Ok(Found { stretches, ends, signals, parts })
+    Ok(ResolvedEntry { places, signals })
 }
 
 /// What an entry allows that the map does not.
-fn loosens(entry: &Entry, stretches: &[Stretch<'_>]) -> Option<Unfit> {
+fn loosens(entry: &Entry, stretches: &[Stretch<'_>]) -> Option<PlaceError> {
     const OPERATOR: &str = "; the daemon takes only what restricts (--overlay-may-loosen)";
     if entry.kind == Kind::Open {
-        return Some(("kind".to_owned(), format!("opens lanes{OPERATOR}")));
+        return Some(PlaceError::new("kind", format!("opens lanes{OPERATOR}")));
     }
     let value = entry.value.filter(|_| entry.kind == Kind::Speed)?;
     for Stretch { lane, s_from, s_to } in stretches {
@@ -95,7 +92,7 @@ fn loosens(entry: &Entry, stretches: &[Stretch<'_>]) -> Option<Unfit> {
                     "raises the limit of {limit:.2} m/s on {} at {s:.1} m{OPERATOR}",
                     lane.key()
                 );
-                return Some(("value".to_owned(), why));
+                return Some(PlaceError::new("value", why));
             }
         }
     }

@@ -73,7 +73,7 @@ pub(crate) fn match_in_row((row, error): (usize, MatchError)) -> PyErr {
 pub(crate) fn client(error: ClientError) -> PyErr {
     let class = match &error {
         ClientError::Attach(attach) => attach_class(attach),
-        ClientError::File { path, error } => return file(path, error),
+        ClientError::File { path, source } => return file(path, source),
         ClientError::Open { .. } | ClientError::Verify { .. } => "ArchiveError",
         ClientError::Trust(_) => "NotTrustedError",
         _ => "MapdError",

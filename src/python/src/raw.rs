@@ -26,7 +26,8 @@ pub(crate) type Entry = (u32, u32, u64, u64, u64);
 
 /// What the directory says of each table.
 pub(crate) fn tables(map: &Map) -> PyResult<Vec<Entry>> {
-    let entries = directory(map.held().snapshot().bytes())
-        .map_err(|error| client(ClientError::Open { source_name: "archive".to_owned(), error }))?;
+    let entries = directory(map.held().snapshot().bytes()).map_err(|source| {
+        client(ClientError::Open { source_name: "archive".to_owned(), source })
+    })?;
     Ok(entries.iter().map(|e| (e.number, e.row_bytes, e.row_id, e.offset, e.count)).collect())
 }

@@ -88,12 +88,12 @@ pub(crate) fn find<'py>(
 pub(crate) fn alternatives<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
-    (count, share, longest): (usize, f64, f64),
+    options: &AlternativeOptions,
     search: impl FnOnce(&AlternativeOptions, &mut RouteScratch, &mut Routes) -> Result<(), RouteError>
     + Send,
 ) -> PyResult<Vec<Bound<'py, PyAny>>> {
-    let (options, mut routes) = (AlternativeOptions { count, share, longest }, Routes::default());
-    py.detach(|| search(&options, &mut RouteScratch::default(), &mut routes)).map_err(routing)?;
+    let mut routes = Routes::default();
+    py.detach(|| search(options, &mut RouteScratch::default(), &mut routes)).map_err(routing)?;
     routes.iter().map(|(route, steps)| found_route(py, held, route, steps)).collect()
 }
 

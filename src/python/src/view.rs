@@ -10,7 +10,7 @@ use crate::route::{Cost, ahead_result, found_route, pieces_result};
 use crate::signal::Signal;
 use mapd_client::QueryError;
 use mapd_client::path::{Corridor, PathError};
-use mapd_client::route::RouteScratch;
+use mapd_client::route::{AlternativeOptions, RouteScratch};
 use mapd_client::signals::SignalsAhead;
 use mapd_client::view::{OverlayEntry, Restriction, SpeedToday};
 use mapd_client::vocabulary::VehicleClass;
@@ -467,8 +467,8 @@ impl View {
         let (held, ends) = (&self.held, [Some(starts), Some(goals)]);
         let asked =
             crate::request::Asked::of(held.map(), ends, avoid.as_deref(), vehicle, cost, turns)?;
-        let wanted = (count, share, longest);
-        crate::request::alternatives(py, held, wanted, |options, scratch, out| {
+        let wanted = AlternativeOptions { count, share, longest };
+        crate::request::alternatives(py, held, &wanted, |options, scratch, out| {
             self.view().alternatives(&asked.request(), options, scratch, out)
         })
     }

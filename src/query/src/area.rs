@@ -67,7 +67,8 @@ pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
 pub(crate) fn slab_around<'a>(
     lane: &Lane<'a>,
     s: f64,
-    (at, piece): (usize, GeometryPiece<'a>),
+    at: usize,
+    piece: GeometryPiece<'a>,
 ) -> Option<Slab<'a>> {
     let points = lane.center_points();
     let segment = if points.len() == 2 { 0 } else { segment_at(lane, s)? };
@@ -208,7 +209,7 @@ pub(crate) struct SlabPosition<'a> {
 
 impl<'a> SlabPosition<'a> {
     #[inline]
-    fn new(slab: &Slab<'a>, across: &LateralPlace, (distance, is_beyond): (f64, bool)) -> Self {
+    fn new(slab: &Slab<'a>, across: &LateralPlace, distance: f64, is_beyond: bool) -> Self {
         Self {
             geometry: slab.geometry,
             at: across.at,
@@ -310,7 +311,7 @@ pub(crate) fn place_inside<'a>(
     }
     let beside = across.is_beside();
     let distance = if beside { across.border_distance(lane, slab, local) } else { 0.0 };
-    Some(SlabPosition::new(slab, &across, (distance, false)))
+    Some(SlabPosition::new(slab, &across, distance, false))
 }
 
 /// The place of a point whose foot on a slab's geometry is known by u and lateral offset, if the slab holds it: `Some(None)` if it does
@@ -323,7 +324,7 @@ pub(crate) fn place_at_foot<'a>(
 ) -> Option<Option<SlabPosition<'a>>> {
     let across = LateralPlace::new(lane, slab, u, lateral);
     if !across.is_beside() {
-        return Some(Some(SlabPosition::new(slab, &across, (0.0, false))));
+        return Some(Some(SlabPosition::new(slab, &across, 0.0, false)));
     }
     let [low, high] = across.sides();
     (across.t - high > EDGE || low - across.t > EDGE).then_some(None)
@@ -356,7 +357,7 @@ pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabP
     if beside {
         distance = distance.min(across.border_distance(lane, slab, local));
     }
-    SlabPosition::new(slab, &across, (distance, foot.clamped))
+    SlabPosition::new(slab, &across, distance, foot.clamped)
 }
 
 /// One border of a lane within a slab, as seen from a point.

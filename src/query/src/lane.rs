@@ -369,7 +369,7 @@ impl<'a> Lane<'a> {
     #[inline]
     pub fn successors_towards(&self, forward: bool) -> impl Iterator<Item = LaneId> + use<'a> {
         let tables = self.map.tables();
-        self.linked(tables.successor_offsets, tables.successors, (1, forward))
+        self.linked(tables.successor_offsets, tables.successors, 1, forward)
     }
 
     /// Lanes from which this one is entered in its own driving direction, in order of road id, section and lane.
@@ -382,7 +382,7 @@ impl<'a> Lane<'a> {
     #[inline]
     pub fn predecessors_towards(&self, forward: bool) -> impl Iterator<Item = LaneId> + use<'a> {
         let tables = self.map.tables();
-        self.linked(tables.predecessor_offsets, tables.predecessors, (-1, forward))
+        self.linked(tables.predecessor_offsets, tables.predecessors, -1, forward)
     }
 
     /// Lanes over the edges of this lane's nodes, those between its own pieces left out; `step` is from a piece to the
@@ -392,7 +392,8 @@ impl<'a> Lane<'a> {
         &self,
         offsets: &'a [u32],
         targets: &'a [u32],
-        (step, forward): (i32, bool),
+        step: i32,
+        forward: bool,
     ) -> impl Iterator<Item = LaneId> + use<'a> {
         let (map, content) = (self.map, self.map.content());
         let list = map.tables().lane_nodes;

@@ -177,7 +177,8 @@ impl<'a> Candidate<'a> {
         lane: &Lane<'a>,
         cross: &impl Cross,
         slab: &Slab<'a>,
-        (point, local): (Point, DVec2),
+        point: Point,
+        local: DVec2,
         options: &NearestOptions,
     ) -> Option<Self> {
         Self::new(lane, area::place_inside(lane, cross, slab, local)?, point, options)
@@ -427,7 +428,7 @@ impl<'a> Map<'a> {
         let lane = Lane::new(*self, stretch.lane);
         let lane = lane.filter(|lane| options.types.contains(lane.kind()))?;
         let slab = area::slab(&lane, usize::from(stretch.segment))?;
-        Candidate::around(&lane, &lane, &slab, (point, local), options)
+        Candidate::around(&lane, &lane, &slab, point, local, options)
     }
 }
 

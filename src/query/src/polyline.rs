@@ -1,7 +1,7 @@
 //! Polylines as they lie in the archive.
 
 use glam::{DVec2, DVec3};
-use mapd_archive::{ArchivedLaneRow, ArchivedSectionRow, PointCode, Tables};
+use mapd_archive::{ArchivedLaneRow, ArchivedSectionRow, PackedPoint, PointCode, Tables};
 
 /// The points of a line, from the frame of their section.
 #[derive(Clone, Copy)]
@@ -77,7 +77,7 @@ impl<'a> Points<'a> {
         let (reader, bytes) = (self.code.reader(), self.code.bytes());
         let from = self.bytes.get(i * bytes..).unwrap_or(&[]);
         (0..self.count.saturating_sub(i)).map(move |i| {
-            let (_, [x, y, _]) = reader.read(from.get(i * bytes..).unwrap_or(&[]));
+            let [x, y, _] = reader.read(from.get(i * bytes..).unwrap_or(&[])).offset;
             DVec2::new(x, y)
         })
     }
@@ -181,7 +181,8 @@ impl<'a> Polyline<'a> {
         let Self { origin, s_start, points } = *self;
         let (reader, bytes) = (points.code.reader(), points.code.bytes());
         (0..points.count).map(move |i| {
-            let (station, offset) = reader.read(points.bytes.get(i * bytes..).unwrap_or(&[]));
+            let PackedPoint { station, offset } =
+                reader.read(points.bytes.get(i * bytes..).unwrap_or(&[]));
             let station = points.stations.get(station as usize).copied().unwrap_or_default();
             LinePoint {
                 s: s_start + f64::from(station),

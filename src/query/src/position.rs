@@ -66,7 +66,7 @@ fn held<'a>(lane: &Lane<'a>, local: DVec2) -> HoldingStretch<'a> {
 fn held_at<'a>(lane: &Lane<'a>, at: usize, [u, lateral]: [f64; 2]) -> Option<HoldingStretch<'a>> {
     let piece = lane.road.simple_piece(lane.road.geometries().get(at)?)?;
     let s = piece.s + u;
-    let slab = slab_around(lane, s, (at, piece))?;
+    let slab = slab_around(lane, s, at, piece)?;
     let margin = BESIDE_END * (1.0 + lateral.abs());
     let is_apart = s - slab.s_lo > margin
         && slab.s_hi - s > margin

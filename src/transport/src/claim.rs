@@ -37,13 +37,12 @@ pub enum ClaimError {
         pid: Option<u32>,
     },
     /// The lock file cannot be used.
-    #[error("{}: {error}", path.display())]
+    #[error("{}: {source}", path.display())]
     Io {
         /// The lock file.
         path: PathBuf,
         /// The system's error.
-        #[source]
-        error: io::Error,
+        source: io::Error,
     },
 }
 
@@ -60,7 +59,7 @@ impl Claim {
     /// Errors: another daemon serves the map; the lock file cannot be used.
     pub fn acquire(domain: &Domain, map: &str) -> Result<Self, ClaimError> {
         let path = domain.map_file(map, SUFFIX);
-        let io = |error| ClaimError::Io { path: path.clone(), error };
+        let io = |source| ClaimError::Io { path: path.clone(), source };
         let until = Instant::now() + PATIENCE;
         loop {
             let mut file = OpenOptions::new()

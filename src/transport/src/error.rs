@@ -180,13 +180,12 @@ pub enum AttachError {
         map: String,
     },
     /// A file of the domain cannot be used.
-    #[error("{}: {error}", path.display())]
+    #[error("{}: {source}", path.display())]
     Io {
         /// The file.
         path: PathBuf,
         /// The system's error.
-        #[source]
-        error: std::io::Error,
+        source: std::io::Error,
     },
     /// iceoryx2 refused something that should work.
     #[error(
@@ -196,8 +195,8 @@ pub enum AttachError {
 }
 
 impl AttachError {
-    pub(crate) fn io(path: impl Into<PathBuf>, error: std::io::Error) -> Self {
-        Self::Io { path: path.into(), error }
+    pub(crate) fn io(path: impl Into<PathBuf>, source: std::io::Error) -> Self {
+        Self::Io { path: path.into(), source }
     }
 
     /// Whether trying again may help: not for wrong names, users and versions.

@@ -24,7 +24,7 @@ pub struct MapStatus {
 /// Errors: the domain belongs to another user, or cannot be read. A domain where no daemon has been is empty, not an error.
 pub fn list_maps(domain: &Domain) -> Result<Vec<MapStatus>, AttachError> {
     match check_owner(domain) {
-        Err(AttachError::Io { error, .. }) if error.kind() == io::ErrorKind::NotFound => {
+        Err(AttachError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
             return Ok(Vec::new());
         }
         other => other?,

@@ -12,7 +12,7 @@ use crate::generated::{Item, read_document};
 use crate::limits::Limits;
 use crate::source::{Inputs, Note, Source};
 use crate::well_formed::Structure;
-use crate::window::{Stop, Window};
+use crate::window::{Stop, Unread, Window};
 use std::io::BufRead as _;
 use std::sync::Arc;
 
@@ -58,7 +58,8 @@ pub struct Cutter<'a> {
 }
 
 impl<'a> Cutter<'a> {
-    pub(crate) fn new((source, text, start): (Source<'a>, Vec<u8>, u64), prefix: &[u8]) -> Self {
+    pub(crate) fn new(unread: Unread<'a>, prefix: &[u8]) -> Self {
+        let Unread { source, text, start } = unread;
         let ends = CUT_BEHIND.map(|name| [b"</", prefix, name.as_bytes(), b">"].concat());
         Self {
             source,

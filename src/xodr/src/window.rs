@@ -29,6 +29,15 @@ impl Stop {
     }
 }
 
+/// What is not read yet of an input.
+pub(crate) struct Unread<'a> {
+    pub(crate) source: Source<'a>,
+    /// Text of it that was taken from the source.
+    pub(crate) text: Vec<u8>,
+    /// Where that begins in the document's text.
+    pub(crate) start: u64,
+}
+
 /// A window on the text of one input. The token is what lies between `start` and `at`; it stays while more is read.
 pub(crate) struct Window<'a> {
     pub(crate) source: Source<'a>,
@@ -92,12 +101,12 @@ impl<'a> Window<'a> {
         }
     }
 
-    /// Takes away the source, and the text of it that was not looked at yet with its place; nothing is left but an end.
-    pub(crate) fn hand_over(&mut self, nothing: Source<'a>) -> (Source<'a>, Vec<u8>, u64) {
+    /// Takes away what is not read yet; nothing is left but an end.
+    pub(crate) fn hand_over(&mut self, nothing: Source<'a>) -> Unread<'a> {
         let text = self.buffer.get(self.at..self.end).unwrap_or_default().to_vec();
         let start = self.offset();
         let empty = Self::over(Vec::new(), start, nothing, self.limit);
-        (std::mem::replace(self, empty).source, text, start)
+        Unread { source: std::mem::replace(self, empty).source, text, start }
     }
 
     /// Puts text before what the source still has; `stop` where it has nothing more.

@@ -1,4 +1,5 @@
-//! What the lists of the public API in `docs/api` must be like: enums that may grow say so, and what does not is named here with its reason.
+//! What the lists of the public API in `docs/api` must be like: enums that may grow say so, and what does not is named here with its reason; the cause of
+//! an error is its `source`.
 
 use mapd_tests::workspace;
 use std::collections::BTreeSet;
@@ -62,4 +63,34 @@ fn an_enum_without_the_attribute_is_found() {
     let lines = ["pub enum a::New", "#[non_exhaustive] pub enum a::Old", "pub enum a::Of<'a>"];
     let lines = lines.map(str::to_owned);
     assert_eq!(exhaustive(&lines), BTreeSet::from(["a::New", "a::Of"]));
+}
+
+/// Fields of errors that hold another error and are not its `source`.
+fn causes(lines: &[String]) -> Vec<&str> {
+    let of = |line: &'_ str| {
+        let (field, kind) = line.strip_prefix("pub ")?.split_once(": ")?;
+        let (owner, name) = field.rsplit_once("::")?;
+        let is_error = owner.split("::").any(|part| part.ends_with("Error"));
+        (is_error && kind.ends_with("Error") && name != "source").then_some(())
+    };
+    lines.iter().map(String::as_str).filter(|line| of(line).is_some()).collect()
+}
+
+#[test]
+fn causes_of_errors_are_their_sources() {
+    let lines = lines();
+    assert_eq!(causes(&lines), Vec::<&str>::new());
+    assert!(lines.iter().any(|line| line.contains("Error::Io::source: ")), "no cause is listed");
+}
+
+#[test]
+fn a_cause_by_another_name_is_found() {
+    let lines = [
+        "pub a::ReadError::Io::error: std::io::error::Error",
+        "pub a::ReadError::Io::source: std::io::error::Error",
+        "pub a::ReadError::Io::path: std::path::PathBuf",
+        "pub a::Finding::error: std::io::error::Error",
+    ];
+    let lines = lines.map(str::to_owned);
+    assert_eq!(causes(&lines), ["pub a::ReadError::Io::error: std::io::error::Error"]);
 }

@@ -157,12 +157,12 @@ fn what_is_wrong_is_named_by_its_number() {
     let one = [DMat3::IDENTITY];
     assert_eq!(ask(&poses[..1], &one), Ok(()));
     assert_eq!(ask(&[], &[]), Ok(()));
-    let error = MatchError::Pose("x");
-    assert_eq!(ask(&poses, &one), Err(PoseError { pose: 1, error }));
-    let error = MatchError::Covariances;
-    assert_eq!(ask(&poses[..1], &[]), Err(PoseError { pose: 0, error }));
+    let source = MatchError::Pose("x");
+    assert_eq!(ask(&poses, &one), Err(PoseError { pose: 1, source }));
+    let source = MatchError::Covariances;
+    assert_eq!(ask(&poses[..1], &[]), Err(PoseError { pose: 0, source }));
     let two = [DMat3::IDENTITY; 2];
-    assert_eq!(ask(&[pose(0.0); 3], &two), Err(PoseError { pose: 2, error }));
+    assert_eq!(ask(&[pose(0.0); 3], &two), Err(PoseError { pose: 2, source }));
 
     let road = map.roads().next().expect("a road");
     let tracks = Tracks { s: &good, t: &wrong, h: None };

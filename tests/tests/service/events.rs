@@ -193,7 +193,7 @@ fn a_map_that_is_coming_and_one_that_cannot_be_read() {
         server.run(&stop).expect("serves");
         let error = client.join().expect("no panic").expect("refused");
         let unreadable =
-            matches!(error, ClientError::Open { error: OpenError::NotAnArchive { .. }, .. });
+            matches!(error, ClientError::Open { source: OpenError::NotAnArchive { .. }, .. });
         assert!(unreadable, "{error}");
     });
 }

@@ -22,14 +22,22 @@ const UTM_NORTHINGS: std::ops::RangeInclusive<f64> = 0.0..=10_000_000.0;
 /// Latitudes and longitudes of bounds are rounded to multiples of this `[deg]`, a tenth of a millimetre: functions of the C
 /// library, which some projections need, differ by less than a millionth of it between machines.
 const STEP: f64 = 1e-9;
+/// The offset of a header as it is applied.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct AppliedOffset {
+    pub(crate) offset: Offset,
+    /// Whether its sign is the opposite of the one written.
+    pub(crate) is_negated: bool,
+}
+
 impl StatedGeoreference {
-    /// The offset as it is applied, and whether its sign is turned.
+    /// The offset as it is applied.
     pub(crate) fn applied(
         &self,
         middle: DVec3,
         sign: OffsetSign,
         findings: &mut Vec<Finding>,
-    ) -> (Offset, bool) {
+    ) -> AppliedOffset {
         let has_shift = self.offset.shift.truncate() != glam::DVec2::ZERO;
         let turned = match sign {
             OffsetSign::Standard => false,
@@ -51,7 +59,8 @@ impl StatedGeoreference {
                 reason.is_some()
             }
         };
-        (if turned { self.offset.negated() } else { self.offset }, turned)
+        let offset = if turned { self.offset.negated() } else { self.offset };
+        AppliedOffset { offset, is_negated: turned }
     }
 
     /// Why the offset must be subtracted rather than added.
@@ -109,13 +118,13 @@ pub(crate) fn complete(
     let low = DVec3::new(map.min_x, map.min_y, map.min_z);
     let high = DVec3::new(map.max_x, map.max_y, map.max_z);
     let middle = low.midpoint(high);
-    let (offset, turned) = match frame {
-        Some(frame) => (Offset::default(), frame.is_negated),
+    let AppliedOffset { offset, is_negated } = match frame {
+        Some(frame) => AppliedOffset { offset: Offset::default(), is_negated: frame.is_negated },
         None => placed.applied(middle, options.offset_sign, findings),
     };
     (map.offset_x, map.offset_y, map.offset_z) = offset.shift.into();
     map.offset_hdg = offset.heading;
-    map.offset_sign = u8::from(turned);
+    map.offset_sign = u8::from(is_negated);
     if !has_lanes {
         return;
     }

@@ -14,6 +14,7 @@ use crate::findings::finding;
 use crate::options::CompileOptions;
 use crate::resolve::Resolved;
 use charts::{Charts, Local, Way};
+use georeference::AppliedOffset;
 pub(crate) use georeference::complete;
 use glam::{DVec2, DVec3};
 use mapd_archive::{FileFrameRow, GeometryRow, Rows};
@@ -177,8 +178,9 @@ impl TargetFrame {
         placed: &StatedGeoreference,
         extent: &Extent,
         middle: DVec3,
-        (file_offset, is_negated): (Offset, bool),
+        applied: AppliedOffset,
     ) -> Result<Self, String> {
+        let AppliedOffset { offset: file_offset, is_negated } = applied;
         let of_file = Projector::new(&placed.definition, file_offset).map_err(|e| e.to_string())?;
         let place = of_file.to_geodetic(middle).map_err(|_| {
             format!(

@@ -36,7 +36,8 @@ impl Draft {
     pub(crate) fn annotate(
         &mut self,
         element: &dyn Written,
-        (owner, path): (Owner, &str),
+        owner: Owner,
+        path: &str,
         places: &Places,
     ) {
         self.owners.sort();

@@ -40,7 +40,7 @@ impl Draft {
             reserved: [0; 3],
         };
         self.rows.junction_groups.push(row);
-        self.annotate(group, ((AnnotationOwner::JunctionGroup, number), ""), places);
+        self.annotate(group, (AnnotationOwner::JunctionGroup, number), "", places);
     }
 
     /// Notes which rows the connections of a junction will have that comes next.

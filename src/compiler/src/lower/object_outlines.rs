@@ -33,7 +33,7 @@ impl Draft {
                 path: (part.path.0, &tail),
                 findings: part.findings,
             };
-            all.extend(self::outline(outline, (number, is_linear), &mut part));
+            all.extend(self::outline(outline, number, is_linear, &mut part));
         }
         all
     }
@@ -41,7 +41,8 @@ impl Draft {
 
 fn outline(
     outline: &xodr::Outline,
-    (number, is_linear): (usize, bool),
+    number: usize,
+    is_linear: bool,
     part: &mut ElementContext<'_>,
 ) -> Option<Outline> {
     let (mut corners, mut ids) = (Vec::new(), Vec::new());

@@ -11,7 +11,8 @@ impl Permissions {
     /// section that the lane is written in.
     pub(crate) fn lane(
         &mut self,
-        (row, shift): (u32, f64),
+        row: u32,
+        shift: f64,
         kind: LaneType,
         marks: &[RoadMark],
         accesses: &[LaneAccess],

@@ -106,7 +106,7 @@ pub(crate) fn lower(
         Item::Header(header) => {
             draft.header(&header, findings);
             let document = (AnnotationOwner::Document, 0);
-            draft.annotate(&*header, (document, "header"), places);
+            draft.annotate(&*header, document, "header", places);
         }
         Item::Road(road) => {
             let number = draft.roads();
@@ -123,12 +123,12 @@ pub(crate) fn lower(
                 draft.objects(owner, objects, context, findings);
             }
             let owner = (AnnotationOwner::Road, number as u32);
-            draft.annotate(&*road, (owner, ""), places);
+            draft.annotate(&*road, owner, "", places);
         }
         Item::Station(station) => {
             let owner = (AnnotationOwner::Station, draft.objects.stations.len() as u32);
             draft.station(&station);
-            draft.annotate(&*station, (owner, ""), places);
+            draft.annotate(&*station, owner, "", places);
         }
         Item::Junction(junction) => {
             let number = draft.rows.junctions.len() as u32;
@@ -137,7 +137,7 @@ pub(crate) fn lower(
             if junction.id.is_some() {
                 let owner = (AnnotationOwner::Junction, number);
                 draft.note_connections(&junction);
-                draft.annotate(&*junction, (owner, ""), places);
+                draft.annotate(&*junction, owner, "", places);
             }
             let at = position(junction.span);
             draft.junction(&junction, line, at, findings);
@@ -145,13 +145,13 @@ pub(crate) fn lower(
         Item::Controller(controller) => {
             let owner = (AnnotationOwner::Controller, draft.signals.controllers() as u32);
             draft.controller(&controller);
-            draft.annotate(&*controller, (owner, ""), places);
+            draft.annotate(&*controller, owner, "", places);
         }
         Item::VmsGroup(group) => {
             draft.board_group(&group);
             let path = format!("vmsGroup[@id={}]", group.id.text());
             let document = (AnnotationOwner::Document, 0);
-            draft.annotate(&*group, (document, &path), places);
+            draft.annotate(&*group, document, &path, places);
         }
         Item::JunctionGroup(group) => draft.junction_group(&group, places),
     }

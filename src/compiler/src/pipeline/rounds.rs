@@ -45,7 +45,7 @@ pub(crate) fn read<R: Read + Send>(
     }
     let mut compilation = round.compilation;
     told.finish(&mut compilation);
-    judge(&mut compilation, (round.roads, round.length), reading);
+    judge(&mut compilation, round.roads, round.length, reading);
     Ok((round.rows, compilation))
 }
 
@@ -111,7 +111,7 @@ impl RoundOutcome {
 }
 
 /// What becomes of a map of which some parts may be left out; it has so many roads of a length `[m]`.
-fn judge(compilation: &mut Compilation, (roads, length): (usize, f64), reading: &ReadOptions) {
+fn judge(compilation: &mut Compilation, roads: usize, length: f64, reading: &ReadOptions) {
     if compilation.verdict == Verdict::Rejected {
         compilation.quarantined.clear();
         return;

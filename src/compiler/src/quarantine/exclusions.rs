@@ -1,6 +1,6 @@
 //! What is left out, and the document without it.
 
-use super::{Cause, PartKind, QuarantinedPart, Treatment, Unit};
+use super::{Cause, PartKind, QuarantinedContent, QuarantinedPart, Treatment, Unit};
 use mapd_rules::line::ReferenceLine;
 use mapd_xodr::{Connection, Item, Junction, Objects, Road, Signals, Span, Text as _, Value as _};
 use std::collections::{BTreeMap, BTreeSet};
@@ -262,22 +262,23 @@ impl Exclusions {
 }
 
 /// Objects, tunnels and bridges with their ids.
-fn objects_in(objects: &Objects) -> impl Iterator<Item = (PartKind, String)> + '_ {
+fn objects_in(objects: &Objects) -> impl Iterator<Item = QuarantinedContent> + '_ {
     let ids = objects.object.iter().map(|o| o.id.text());
     let ids = ids.chain(objects.tunnel.iter().map(|o| o.id.text()));
     let ids = ids.chain(objects.bridge.iter().map(|o| o.id.text()));
-    ids.map(|id| (PartKind::Object, id.to_owned()))
+    ids.map(|id| QuarantinedContent { kind: PartKind::Object, id: id.to_owned() })
 }
 
 /// Signals with their ids.
-fn signals_in(signals: &Signals) -> impl Iterator<Item = (PartKind, String)> + '_ {
-    signals.signal.iter().map(|signal| (PartKind::Signal, signal.id.text().to_owned()))
+fn signals_in(signals: &Signals) -> impl Iterator<Item = QuarantinedContent> + '_ {
+    let ids = signals.signal.iter().map(|signal| signal.id.text());
+    ids.map(|id| QuarantinedContent { kind: PartKind::Signal, id: id.to_owned() })
 }
 
 /// Notes what is missing with the part that was told last.
-fn note_contents(out: &mut [QuarantinedPart], contents: impl Iterator<Item = (PartKind, String)>) {
+fn note_contents(out: &mut [QuarantinedPart], contents: impl Iterator<Item = QuarantinedContent>) {
     if let Some(part) = out.last_mut() {
-        part.contents.extend(contents.filter(|(_, id)| !id.is_empty()));
+        part.contents.extend(contents.filter(|content| !content.id.is_empty()));
     }
 }
 

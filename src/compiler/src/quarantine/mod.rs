@@ -53,8 +53,17 @@ pub struct QuarantinedPart {
     pub column: u32,
     /// The included file that the finding stands in; empty for the document itself.
     pub file: Arc<str>,
-    /// Kinds and ids of the objects and signals that are missing with a road or junction.
-    pub contents: Vec<(PartKind, String)>,
+    /// The objects and signals that are missing with a road or junction.
+    pub contents: Vec<QuarantinedContent>,
+}
+
+/// An object or signal that is missing because the part that it belongs to is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct QuarantinedContent {
+    /// What it is.
+    pub kind: PartKind,
+    /// Its id as written.
+    pub id: String,
 }
 
 impl QuarantinedPart {

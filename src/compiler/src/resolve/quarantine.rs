@@ -1,7 +1,7 @@
 //! What is left out of the map.
 
 use crate::draft::Draft;
-use crate::quarantine::{QuarantinedPart, Treatment};
+use crate::quarantine::{QuarantinedContent, QuarantinedPart, Treatment};
 use mapd_archive::{QuarantinedContentRow, QuarantinedFileRow, QuarantinedRow};
 
 /// Appends what is not in the map as the document has it.
@@ -34,7 +34,7 @@ pub(crate) fn store(draft: &mut Draft, parts: &[QuarantinedPart]) {
             let file = draft.strings.add(&file);
             draft.rows.quarantined_files.push(QuarantinedFileRow { part: part_row, file });
         }
-        for (kind, id) in &part.contents {
+        for QuarantinedContent { kind, id } in &part.contents {
             let id = draft.strings.add(id);
             let row =
                 QuarantinedContentRow { id, part: part_row, kind: kind.code(), reserved: [0; 3] };

@@ -23,9 +23,9 @@ pub(crate) fn tables(draft: Draft, options: &CompileOptions) -> Rows {
     map.bound_tolerance = options.bound_tolerance;
     map.road_length = rows.roads.iter().map(|road| road.length).sum();
     rows.map.push(map);
-    let (bytes, offsets) = draft.strings.into_tables();
-    rows.string_bytes = bytes.into();
-    rows.string_offsets = offsets.into();
+    let strings = draft.strings.into_tables();
+    rows.string_bytes = strings.bytes.into();
+    rows.string_offsets = strings.offsets.into();
     joints::transitions(&mut rows, &draft.joints);
     rows
 }

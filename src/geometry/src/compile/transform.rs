@@ -57,6 +57,17 @@ pub trait Chart {
     fn slopes(&self, point: DVec2) -> [DVec2; 2];
 }
 
+/// Where the image of a curve begins.
+#[derive(Clone, Copy)]
+struct Anchor<'e> {
+    /// Origin of the chart at the curve's start.
+    origin: DVec2,
+    /// Image of the start, from that origin.
+    image: DVec2,
+    /// The chart about the start, for a short curve.
+    near: Option<&'e Expansion>,
+}
+
 /// A chart about a place, to the second order.
 struct Expansion {
     slopes: [DVec2; 2],
@@ -173,7 +184,7 @@ impl CurveTransform {
         // The cast saturates.
         let mut count = (least as usize).max(1);
         while count <= MAX_PIECES {
-            let at_start = (first.origin(), image, expansion.as_ref());
+            let at_start = Anchor { origin: first.origin(), image, near: expansion.as_ref() };
             let fitted = self.fit(curve, &mut chart, at_start, count, tolerance)?;
             if let Some((pieces, error)) = fitted {
                 let start = first.origin() + image;
@@ -189,10 +200,11 @@ impl CurveTransform {
         &self,
         curve: &Curve<'_>,
         chart: &mut impl FnMut(DVec2) -> Option<C>,
-        (origin, image, near): (DVec2, DVec2, Option<&Expansion>),
+        anchor: Anchor<'_>,
         count: usize,
         tolerance: f64,
     ) -> Result<Option<(Vec<Fitted>, f64)>, TransformError> {
+        let Anchor { origin, image, near } = anchor;
         let length = curve.length();
         let mut pieces = Vec::with_capacity(count);
         let mut worst = 0.0_f64;

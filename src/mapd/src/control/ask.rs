@@ -45,13 +45,12 @@ pub enum AskError {
         map: String,
     },
     /// The socket cannot be used, or the answer not be understood.
-    #[error("map {map:?}: request to the daemon: {error}")]
+    #[error("map {map:?}: request to the daemon: {source}")]
     Io {
         /// The map.
         map: String,
         /// What the system says.
-        #[source]
-        error: io::Error,
+        source: io::Error,
     },
 }
 
@@ -74,7 +73,7 @@ pub fn ask(
             io::ErrorKind::BrokenPipe
             | io::ErrorKind::ConnectionReset
             | io::ErrorKind::UnexpectedEof => AskError::Ended { map },
-            _ => AskError::Io { map, error },
+            _ => AskError::Io { map, source: error },
         }
     };
     exchange(domain, map, request, wait).map_err(fail)

@@ -6,7 +6,7 @@ use super::prepare::Prepared;
 use crate::serve::ServeError;
 use mapd_archive::AlignedBytes;
 use mapd_client::{Attach, Client, Map};
-use mapd_overlay::{Document, Holds, Placements, Policy, Resolved};
+use mapd_overlay::{Document, EntryLocation, Placements, Policy, Resolved};
 use mapd_transport::Domain;
 use std::io;
 use std::os::unix::fs::FileExt;
@@ -86,15 +86,19 @@ impl Desk {
     /// Where a document's first entry holds on the map that is served.
     ///
     /// Errors: it does not; why.
-    pub(super) fn holds(&self, name: &str, document: &Document) -> Result<Holds, String> {
+    pub(super) fn location(
+        &self,
+        name: &str,
+        document: &Document,
+    ) -> Result<EntryLocation, String> {
         let served = Client::connect_as(Attach::Observer, &self.domain, name, OWN_MAP);
         let snapshot = served.map_err(|error| error.to_string())?.snapshot();
         let mut placed = Placements::new(snapshot.map(), self.policy);
         placed.place(snapshot.map(), document);
-        let first = document.entries.first().and_then(|entry| placed.holds(&entry.id));
+        let first = document.entries.first().and_then(|entry| placed.location(&entry.id));
         match first {
-            Some(Ok(holds)) => Ok(holds.clone()),
-            Some(Err((field, why))) => Err(format!("{field}: {why}")),
+            Some(Ok(location)) => Ok(location.clone()),
+            Some(Err(error)) => Err(error.to_string()),
             None => Err("places: too long".to_owned()),
         }
     }
@@ -144,7 +148,7 @@ pub(super) fn on_archive<T>(
     read: impl FnOnce(&mut [u8]) -> io::Result<()>,
     work: impl FnOnce(Map<'_>) -> T,
 ) -> Result<T, ServeError> {
-    let fail = |error| ServeError::Fill { map: name.to_owned(), error };
+    let fail = |source| ServeError::Fill { map: name.to_owned(), source };
     let length = usize::try_from(archive.length).unwrap_or(usize::MAX);
     let mut bytes = AlignedBytes::with_capacity(length);
     bytes.resize(length, 0);

@@ -71,7 +71,8 @@ pub(super) fn take(
     text: String,
     signature: Option<String>,
     feed: Option<&str>,
-    (trust, limits): (Option<&TrustedKey>, &Limits),
+    trust: Option<&TrustedKey>,
+    limits: &Limits,
 ) -> Result<(Document, Option<Signed>)> {
     let Some(key) = trust else { return Ok((read(&text, feed, limits)?, None)) };
     let Some(signature) = signature else { bail!(NotSignable::Unsigned) };

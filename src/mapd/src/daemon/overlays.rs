@@ -69,8 +69,9 @@ impl Reader {
     pub(crate) fn read(&self, map: &str, action: OverlayAction) -> Result<Action> {
         Ok(match action {
             OverlayAction::Apply { document, feed, signature } => {
-                let rules = (self.trust.as_ref(), &self.limits);
-                let (document, signed) = kept::take(document, signature, feed.as_deref(), rules)?;
+                let (from, trust) = (feed.as_deref(), self.trust.as_ref());
+                let (document, signed) =
+                    kept::take(document, signature, from, trust, &self.limits)?;
                 self.desk.place_on_served(map, &document);
                 Action::Apply { document, feed, signed }
             }

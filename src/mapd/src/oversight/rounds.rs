@@ -72,7 +72,7 @@ impl Maps {
             if around.sleep(Duration::ZERO) {
                 return false;
             }
-            map.ask(&self.board, around, (WAIT, WAIT));
+            map.ask(&self.board, around, WAIT, WAIT);
         }
         self.maps.iter().all(|map| map.last == Some(Answer::Right))
     }
@@ -107,7 +107,7 @@ impl Maps {
             if map.urgency().is_none() {
                 self.next = place + 1;
             }
-            map.ask(&self.board, around, (left, wait));
+            map.ask(&self.board, around, left, wait);
         }
         let scrubs_fail = |status: &MapState| status.scrubs.last_failed == Some(true);
         !self.maps.iter().any(|map| map.last == Some(Answer::Wrong))
@@ -131,13 +131,8 @@ impl QueriedMap {
         self.last.filter(|last| matches!(last, Answer::Wrong | Answer::Late))
     }
 
-    /// Asks; writes down what came of it. `left` is the wait, `wait` what it would be if there were time.
-    fn ask(
-        &mut self,
-        board: &Board,
-        around: &impl Surroundings,
-        (left, wait): (Duration, Duration),
-    ) {
+    /// Asks, waiting for as long as is `left`, and records the outcome. `usual` is the wait of a round with enough time.
+    fn ask(&mut self, board: &Board, around: &impl Surroundings, left: Duration, usual: Duration) {
         let map = self.name.as_str();
         let answer = match around.ask(map, self.seen, left) {
             Ok(answered) => {
@@ -151,7 +146,7 @@ impl QueriedMap {
                 board.map(map, |state| state.self_queries.skipped(text));
                 Answer::NoRoom
             }
-            Err(error) if left < wait && error.may_be_late() => {
+            Err(error) if left < usual && error.may_be_late() => {
                 let text = error.to_string();
                 tracing::debug!(map = %map, error = %text, "map {map}: no time left for a self-query: {text}");
                 board.map(map, |state| state.self_queries.skipped(text));

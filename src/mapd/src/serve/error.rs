@@ -60,7 +60,7 @@ pub enum ServeError {
     },
     /// The map's pages cannot be locked.
     #[error(
-        "map {map:?}: {needed} bytes cannot be locked in memory ({error}); the limit of locked memory is {limit}: raise it (ulimit -l, \
+        "map {map:?}: {needed} bytes cannot be locked in memory ({source}); the limit of locked memory is {limit}: raise it (ulimit -l, \
          LimitMEMLOCK=) to twice the largest map, or serve without --lock-memory"
     )]
     NotLocked {
@@ -71,8 +71,7 @@ pub enum ServeError {
         /// The limit of this process, in words.
         limit: String,
         /// What the system says.
-        #[source]
-        error: std::io::Error,
+        source: std::io::Error,
     },
     /// Shared memory has no room even for what serves a map.
     #[error(
@@ -108,13 +107,12 @@ pub enum ServeError {
         map: String,
     },
     /// Writing the bytes failed; nothing was published and the generation before, if any, is still served.
-    #[error("map {map:?}: {error}")]
+    #[error("map {map:?}: {source}")]
     Fill {
         /// The map.
         map: String,
         /// What the writer says.
-        #[source]
-        error: Box<dyn Error + Send + Sync>,
+        source: Box<dyn Error + Send + Sync>,
     },
     /// A killed process left files that cannot be removed while another process holds the attach lock.
     #[error(
@@ -125,13 +123,12 @@ pub enum ServeError {
         file: PathBuf,
     },
     /// A file of the domain cannot be used.
-    #[error("{}: {error}", path.display())]
+    #[error("{}: {source}", path.display())]
     Io {
         /// The file.
         path: PathBuf,
         /// What the system says.
-        #[source]
-        error: std::io::Error,
+        source: std::io::Error,
     },
     /// A process of another release has the map's service open, with limits that are too small for this one.
     #[error(
@@ -174,6 +171,6 @@ impl ServeError {
 
     pub(crate) fn io(path: impl Into<PathBuf>) -> impl FnOnce(std::io::Error) -> Self {
         let path = path.into();
-        move |error| Self::Io { path, error }
+        move |source| Self::Io { path, source }
     }
 }

@@ -72,7 +72,7 @@ pub(crate) fn fill_loan(
     let Some(wanted) = bytes.get_mut(..length) else {
         return Err(ServeError::iceoryx("loaning")(format!("{size} bytes instead of {length}")));
     };
-    let meta = fill(wanted).map_err(|error| ServeError::Fill { map: map.to_owned(), error })?;
+    let meta = fill(wanted).map_err(|source| ServeError::Fill { map: map.to_owned(), source })?;
     *loan.user_header_mut() = header(meta)?;
     // SAFETY: all of the payload was written above, and any bytes are a valid `Chunk64`.
     Ok(unsafe { loan.assume_init() })

@@ -128,7 +128,7 @@ pub(crate) fn not_locked(map: &str, length: u64, error: &std::io::Error) -> Serv
         map: map.to_owned(),
         needed: length,
         limit: limit.map_or_else(|| "none".to_owned(), |bytes| format!("{bytes} bytes")),
-        error: std::io::Error::new(error.kind(), error.to_string()),
+        source: std::io::Error::new(error.kind(), error.to_string()),
     }
 }
 

@@ -5,6 +5,7 @@ use crate::errors::query;
 use crate::input::vehicle_of;
 use crate::junction::Junction;
 use mapd_client::path::{LaneChange, PathOptions};
+use mapd_client::route::AlternativeOptions;
 use pyo3::prelude::*;
 
 #[pymethods]
@@ -82,8 +83,8 @@ impl Map {
         let (held, ends) = (&self.0, [Some(starts), Some(goals)]);
         let asked =
             crate::request::Asked::of(held.map(), ends, avoid.as_deref(), vehicle, cost, turns)?;
-        let wanted = (count, share, longest);
-        crate::request::alternatives(py, held, wanted, |options, scratch, out| {
+        let wanted = AlternativeOptions { count, share, longest };
+        crate::request::alternatives(py, held, &wanted, |options, scratch, out| {
             self.map().alternatives(&asked.request(), options, scratch, out)
         })
     }

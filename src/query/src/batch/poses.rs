@@ -8,12 +8,12 @@ use thiserror::Error;
 
 /// Why one of several poses has no match.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
-#[error("pose {pose}: {error}")]
+#[error("pose {pose}: {source}")]
 pub struct PoseError {
     /// Its number, from 0.
     pub pose: usize,
     /// Why.
-    pub error: MatchError,
+    pub source: MatchError,
 }
 
 /// The lanes that poses may be in.
@@ -75,7 +75,7 @@ impl Map<'_> {
         let count = poses.len();
         if covariances.len() != count && (covariances.len() != 1 || count == 0) {
             let pose = covariances.len().min(count);
-            return Err(PoseError { pose, error: MatchError::Covariances });
+            return Err(PoseError { pose, source: MatchError::Covariances });
         }
         out.reset(count);
         let PoseMatches { none, ranges, matches, own } = out;
@@ -97,8 +97,8 @@ impl Map<'_> {
         if asked.is_err() {
             // Of several the first in the caller's order, whichever was asked first.
             let first = (0..count).find_map(|pose| {
-                let error = ask(pose, own).err()?;
-                Some(PoseError { pose, error })
+                let source = ask(pose, own).err()?;
+                Some(PoseError { pose, source })
             });
             out.reset(0);
             return first.map_or(Ok(()), Err);

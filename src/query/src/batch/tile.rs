@@ -103,8 +103,8 @@ impl<'a> Tile<'a> {
             let lower = index::lower_bounds(leaf, from.x as f32, from.y as f32, None);
             for k in 0..lower.len() {
                 if fits && f64::from(lower[k]) <= reach && lanes[k] != NONE {
-                    let place = (lanes[k], usize::from(segments[k]));
-                    fits = self.add(place, Rectangle::of(leaf, k), types);
+                    let segment = usize::from(segments[k]);
+                    fits = self.add(lanes[k], segment, Rectangle::of(leaf, k), types);
                 }
             }
         });
@@ -112,12 +112,7 @@ impl<'a> Tile<'a> {
     }
 
     /// Whether there is room; what cannot hold anything needs none.
-    fn add(
-        &mut self,
-        (lane, segment): (u32, usize),
-        rectangle: Rectangle,
-        types: LaneTypes,
-    ) -> bool {
+    fn add(&mut self, lane: u32, segment: usize, rectangle: Rectangle, types: LaneTypes) -> bool {
         let lane = Lane::new(self.map, lane).filter(|lane| types.contains(lane.kind()));
         let Some(lane) = lane else { return true };
         let Some(slab) = area::slab(&lane, segment) else { return true };
@@ -145,7 +140,7 @@ impl<'a> Tile<'a> {
             }
             let Some(Some(stretch)) = self.stretches.get(k) else { continue };
             let Stretch { lane, slab, ready } = stretch;
-            let found = Candidate::around(lane, ready, slab, (point, local), options);
+            let found = Candidate::around(lane, ready, slab, point, local, options);
             if best.consider(found, self.map, options) {
                 nearest = Some(stretch);
             }

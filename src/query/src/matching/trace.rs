@@ -146,8 +146,8 @@ impl Map<'_> {
             self.states_of(fix, options, scratch)?;
         }
         scratch.first.push(scratch.states.len());
-        for pair in fixes.windows(2).enumerate() {
-            self.steps_between(pair, options, scratch)?;
+        for (number, pair) in fixes.windows(2).enumerate() {
+            self.steps_between(number, pair, options, scratch)?;
         }
         scratch.solve(out);
         Ok(())
@@ -179,10 +179,11 @@ impl Map<'_> {
         Ok(())
     }
 
-    /// How well each state of a fix is followed by each of the next one's.
+    /// How well each state of the fix of this number is followed by each of the next one's.
     fn steps_between(
         &self,
-        (number, pair): (usize, &[TraceFix]),
+        number: usize,
+        pair: &[TraceFix],
         options: &TraceOptions,
         scratch: &mut TraceScratch,
     ) -> Result<(), MatchError> {

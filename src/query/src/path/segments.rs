@@ -66,7 +66,7 @@ impl<'a> Path<'a, '_> {
             let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
             let nodes = lane.nodes().filter(|node| node.is_forward() == piece.forward);
             for number in nodes.flat_map(|node| ways.pieces(node.number)) {
-                self.stretch(ways, piece, number, (vehicle, &mut stretch), out);
+                self.stretch(ways, piece, number, vehicle, &mut stretch, out);
             }
         }
         decide(ways, out);
@@ -79,7 +79,8 @@ impl<'a> Path<'a, '_> {
         ways: impl Ways<'a>,
         piece: &Piece,
         driven_on: u32,
-        (vehicle, number): (VehicleClass, &mut u32),
+        vehicle: VehicleClass,
+        number: &mut u32,
         out: &mut Vec<PathSegment>,
     ) {
         let spans = self.spans_of(piece);

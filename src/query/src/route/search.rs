@@ -128,7 +128,7 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
             let Some(start) = self.scratch.start.get(i).copied() else { continue };
             let Some(node) = self.ways.node(start.node) else { continue };
             let cost = start.changes + start.pass;
-            self.leave((start.node, &node), cost, FROM_START | i as u32, bounds, banned);
+            self.leave(start.node, &node, cost, FROM_START | i as u32, bounds, banned);
         }
     }
 
@@ -159,14 +159,14 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
     ) {
         let Some(node) = self.ways.node(number) else { return };
         let passed = cost + price(self.cost.pass(&node));
-        self.leave((number, &node), passed, number, bounds, banned);
+        self.leave(number, &node, passed, number, bounds, banned);
         for left in [true, false] {
             if let Some(beside) = self.ways.change(number, &node, left)
                 && let Some(to) = self.ways.node(beside).filter(|to| to.allows(self.vehicle))
             {
                 let changed = cost + price(self.cost.change(&node, &to));
                 let hop = Hop { from: FROM_SIDE | number, to: beside };
-                self.enter((hop, &to), changed, bounds, banned);
+                self.enter(hop, &to, changed, bounds, banned);
             }
         }
     }
@@ -175,7 +175,8 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
     #[inline]
     fn leave(
         &mut self,
-        (number, node): (u32, &LaneNode<'a>),
+        number: u32,
+        node: &LaneNode<'a>,
         cost: f64,
         from: u32,
         bounds: &Bounds<'a>,
@@ -194,7 +195,7 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
             if self.scratch.is_goal(next) {
                 self.finish(next, entered, from, banned);
             }
-            self.enter((Hop { from, to: next }, &to), entered, bounds, banned);
+            self.enter(Hop { from, to: next }, &to, entered, bounds, banned);
         });
     }
 
@@ -233,7 +234,8 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
     #[inline]
     fn enter(
         &mut self,
-        (hop, to): (Hop, &LaneNode<'a>),
+        hop: Hop,
+        to: &LaneNode<'a>,
         cost: f64,
         bounds: &Bounds<'a>,
         banned: &[Hop],

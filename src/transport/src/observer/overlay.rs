@@ -77,7 +77,7 @@ impl Observer {
     pub fn laid_over(&self, generation: u64, known: u64) -> Result<OverlayState, AttachError> {
         for _ in 0..READINGS {
             let record = match self.record() {
-                Err(AttachError::Io { error, .. }) if error.kind() == io::ErrorKind::NotFound => {
+                Err(AttachError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
                     // Nobody serves the map any more: what is known stays what it was.
                     return Ok(OverlayState::Known);
                 }

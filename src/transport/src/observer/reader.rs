@@ -95,7 +95,7 @@ impl Observer {
             Ok(RecordState::Newer(pinned)) => Ok(Some(pinned)),
             Ok(RecordState::Nothing(..) | RecordState::Gone) => Ok(None),
             // Root folder or record of a daemon that has ended.
-            Err(AttachError::Io { error, .. }) if error.kind() == io::ErrorKind::NotFound => {
+            Err(AttachError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
                 Ok(None)
             }
             Err(error) => Err(error),
@@ -259,7 +259,7 @@ fn is_named(record: &Record, path: &Path) -> bool {
 
 /// Whether it was simply not there.
 fn is_missing(error: &AttachError) -> bool {
-    matches!(error, AttachError::Io { error, .. } if error.kind() == io::ErrorKind::NotFound)
+    matches!(error, AttachError::Io { source, .. } if source.kind() == io::ErrorKind::NotFound)
 }
 
 /// Sleeps until the record has another sequence, at most `longest`.

@@ -143,7 +143,7 @@ fn enter(
 ) -> Result<(AttachLock, AttachGuard), AttachError> {
     let missing = || AttachError::NoDaemon { map: map.to_owned(), root: domain.root().to_owned() };
     match check_own(domain) {
-        Err(AttachError::Io { error, .. }) if error.kind() == io::ErrorKind::NotFound => {
+        Err(AttachError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
             return Err(missing());
         }
         other => other?,

@@ -58,9 +58,11 @@ pub(crate) struct Splice<'a> {
 impl<'a> Splice<'a> {
     /// `places` are those of the text that is made, `written` those of the source.
     pub(crate) fn new(
-        (source, written): (Source<'a>, Places),
+        source: Source<'a>,
+        written: Places,
         patch: &'a Patch,
-        (places, file): (Places, u16),
+        places: Places,
+        file: u16,
     ) -> Self {
         Self {
             source,

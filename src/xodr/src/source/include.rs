@@ -128,8 +128,8 @@ impl Inputs {
             None => number,
         };
         self.open.push(Open { number, path: None });
-        let written = (written, shared.places);
-        let spliced = Splice::new(written, patch, (self.shared.places.clone(), file));
+        let places = self.shared.places.clone();
+        let spliced = Splice::new(written, shared.places, patch, places, file);
         Source::new(Box::new(spliced), self.shared.clone(), number)
     }
 

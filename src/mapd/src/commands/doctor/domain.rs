@@ -33,7 +33,7 @@ pub(super) fn examine(domain: &Domain, out: &mut Vec<Finding>) -> bool {
     let root = domain.root().display();
     match check_owner(domain) {
         Ok(()) => {}
-        Err(AttachError::Io { error, .. }) if error.kind() == std::io::ErrorKind::NotFound => {
+        Err(AttachError::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {
             out.push(Finding::ok(
                 check,
                 format!("{root} does not exist: no daemon has been started"),

@@ -249,7 +249,7 @@ fn signature(file: &Path) -> Result<Option<String>> {
     }
     match read_signature(file) {
         Ok(signature) => Ok(Some(signature)),
-        Err(TrustError::Unsigned { reason, .. }) if reason.kind() == io::ErrorKind::NotFound => {
+        Err(TrustError::Unsigned { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
             Ok(None)
         }
         Err(error) => Err(error.into()),

@@ -8,7 +8,7 @@ use crate::daemon::kept::PROPOSED;
 use crate::daemon::orders::{Order, Orders};
 use crate::daemon::overlays::{Action, OverlayOrder};
 use mapd_client::overlay::Decision;
-use mapd_overlay::{Document, Entry, Holds, Limits, Moment};
+use mapd_overlay::{Document, Entry, EntryLocation, Limits, Moment};
 use std::path::Path;
 use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -47,7 +47,7 @@ struct Waiting {
     map: String,
     source: String,
     entry: Entry,
-    holds: Holds,
+    location: EntryLocation,
     until: Instant,
 }
 
@@ -131,19 +131,19 @@ impl Judge {
         let rule = rule.ok_or_else(|| format!("{source:?} may not say `{}`", kind.name()))?;
         let entry = admitted(entry, rule, now())?;
         let document = Document { entries: vec![entry] };
-        let holds = self.desk.holds(map, &document)?;
+        let location = self.desk.location(map, &document)?;
         let [entry] = <[Entry; 1]>::try_from(document.entries).map_err(|_| "expected one entry")?;
         if self.desk.count(map, &format!("{PROPOSED}{source}/"), &entry.id) >= rule.most {
             return Err(format!("{source:?} has {} entries already", rule.most));
         }
-        let others = self.others(map, source, &entry, &holds);
+        let others = self.others(map, source, &entry, &location);
         let agree = others.len() as u32 + 1;
         if agree < rule.agree {
             self.wait(Waiting {
                 map: map.to_owned(),
                 source: source.to_owned(),
                 entry: entry.clone(),
-                holds,
+                location,
                 until: Instant::now() + rule.within,
             });
             return Ok((entry, Decision::Waiting { agree, needed: rule.agree }));
@@ -181,7 +181,13 @@ impl Judge {
     }
 
     /// Other sources that have said the same of a place that meets this one.
-    fn others(&self, map: &str, source: &str, entry: &Entry, holds: &Holds) -> Vec<String> {
+    fn others(
+        &self,
+        map: &str,
+        source: &str,
+        entry: &Entry,
+        location: &EntryLocation,
+    ) -> Vec<String> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let now = Instant::now();
         state.waiting.retain(|one| one.until > now);
@@ -190,7 +196,7 @@ impl Judge {
                 && one.source != source
                 && one.entry.kind == entry.kind
                 && one.entry.vehicles == entry.vehicles
-                && one.holds.meets(holds)
+                && one.location.overlaps(location)
         };
         let mut others: Vec<String> =
             state.waiting.iter().filter(says_so).map(|one| one.source.clone()).collect();
