@@ -11,7 +11,7 @@ use mapd_query::path::{Corridor, Path, PathBuffer, PathOptions};
 use mapd_query::route::{Enter, PositionOnLane, RouteScratch, RouteStep, ShortestTime};
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
-use mapd_query::{Lane, Map, QueryError};
+use mapd_query::{Lane, LaneId, Map, QueryError};
 use serde::Serialize;
 
 /// From station to station of the drawn line and its room `[m]`.
@@ -120,7 +120,7 @@ pub fn way(view: View<'_>, from: [f64; 2], to: [f64; 2]) -> Result<DrawnWay, Str
             .map(|one| Told { along: one.along, entry: Words::from(one.restriction.entry) })
             .collect(),
     };
-    let drawing = draw(view, &path).map_err(|error| error.to_string())?;
+    let drawing = draw(view, &path, &steps).map_err(|error| error.to_string())?;
     Ok(DrawnWay { way, drawing })
 }
 
@@ -143,7 +143,11 @@ fn table_row(map: Map<'_>, step: &RouteStep) -> Option<Step> {
 }
 
 /// The driven line, and the room beside it.
-fn draw<'a>(view: View<'a>, path: &Path<'a, '_>) -> Result<Drawing, QueryError> {
+fn draw<'a>(
+    view: View<'a>,
+    path: &Path<'a, '_>,
+    steps: &[RouteStep],
+) -> Result<Drawing, QueryError> {
     let (map, car) = (view.map(), VehicleClass::PassengerCar);
     let mut drawing = Drawing::new(middle(map));
     let mut corridor = Corridor::default();
@@ -153,9 +157,18 @@ fn draw<'a>(view: View<'a>, path: &Path<'a, '_>) -> Result<Drawing, QueryError> 
     let points = |line: &[DVec3]| -> Vec<(f64, DVec3)> {
         corridor.along.iter().copied().zip(line.iter().copied()).collect()
     };
-    // A change of lane is no room between two lanes.
+    // A change to the lane beside is no room between two lanes; one ahead goes on without a gap.
+    let mut ahead = steps.iter().peekable();
+    let mut is_beside = |lane: LaneId| {
+        let mut is_beside = false;
+        while ahead.next_if(|step| step.lane != lane).is_some() {
+            let entered = ahead.peek().map(|step| step.enter);
+            is_beside |= matches!(entered, Some(Enter::Left | Enter::Right));
+        }
+        is_beside
+    };
     let changes: Vec<usize> =
-        (1..corridor.len()).filter(|i| corridor.lane[*i] != corridor.lane[i - 1]).collect();
+        (0..corridor.len()).filter(|i| is_beside(corridor.lane[*i])).collect();
     let (left, right) = (points(&corridor.left), points(&corridor.right));
     let ends = changes.iter().copied().chain([corridor.len()]);
     let starts = [0].into_iter().chain(changes.iter().copied());
@@ -184,7 +197,7 @@ pub fn highlight(map: Map<'_>, about: Link) -> Drawing {
     match about.kind {
         Kind::Lane => {
             let Some(lane) = map.lane_by_row(about.row) else { return drawing };
-            let lanes = |ids: &mut dyn Iterator<Item = mapd_query::LaneId>| {
+            let lanes = |ids: &mut dyn Iterator<Item = LaneId>| {
                 ids.filter_map(|id| map.lane(id).ok()).collect::<Vec<_>>()
             };
             lanes(&mut lane.predecessors()).iter().for_each(|one| fill(one, Paint::Before));

@@ -28,6 +28,8 @@ mod help_text;
 mod numbers;
 // Options of the command line and the docs name each other: none is forgotten, and none is named that is gone.
 mod options_documented;
+// What the page draws and says of places, against an independent evaluator.
+mod page_geometry;
 // `mapd export --format html`: one page, whole, that lets nothing in and nothing out.
 mod page;
 // Colours of the page: what has to be told apart differs for people who see all colours, and for those who lack one kind of cones.

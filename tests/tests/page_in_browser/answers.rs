@@ -7,6 +7,8 @@ use mapd_web::{Kind, Link, Question};
 use serde_json::{Value, json};
 use std::time::UNIX_EPOCH;
 
+/// Questions of each map at least.
+const QUESTIONS: usize = 2000;
 /// Places that are asked about in each map, once for each kind of question about places.
 const PLACES: usize = 800;
 /// Of these, pairs between which a way is looked for.
@@ -76,6 +78,7 @@ fn the_page_answers_as_the_native_build() {
         let mut questions = questions(snapshot.map());
         let is_excepted = ONLY_BY_PROJ4RS.iter().any(|name| path.ends_with(name));
         questions.retain(|question| !is_excepted || !matches!(question, Question::Geodetic(_)));
+        assert!(questions.len() >= QUESTIONS, "only {}", questions.len());
         let list = Value::from(questions.iter().map(asked).collect::<Vec<_>>());
         let answers = browser.evaluate(&format!("{ASK}({list})"));
         let answers = answers.as_array().expect("answers");

@@ -3,6 +3,7 @@
 use crate::{any_browser, painted};
 use mapd_client::{Attach, Client, Snapshot};
 use mapd_tests::browser::Browser;
+use mapd_tests::object_maps::{PLAIN, document};
 use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::view::View;
 use serde_json::{Value, json};
@@ -148,5 +149,79 @@ fn an_address_names_its_map() {
     browser.evaluate(&choose(0));
     browser.wait(&format!("{} && {NOTE} === 'gone'", shown(1)));
     assert_eq!(browser.evaluate("document.title"), Value::from(names.join(", ")));
+    assert_eq!(browser.complaints, [""; 0]);
+}
+
+/// What a served map has left out is red, and listed with its rule and its place in the file, in each generation anew; an open list follows.
+#[test]
+fn what_a_served_map_has_left_out_is_listed() {
+    let Some(mut browser) = any_browser() else { return };
+    let place = TestDomain::new(env!("CARGO_BIN_EXE_mapd_under_test"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("live.xodr");
+    let write = |radii: &[&str]| {
+        let tree = |(i, radius): (usize, &&str)| {
+            let s = 10 + 5 * i;
+            format!(
+                r#"<object id="{i}" type="tree" s="{s}" t="9" zOffset="0" radius="{radius}" height="3" orientation="none"/>"#
+            )
+        };
+        let trees: String = radii.iter().enumerate().map(tree).collect();
+        std::fs::write(&file, document(&PLAIN, &trees)).expect("written");
+    };
+    write(&["2"]);
+    let daemon = place.serve(&[&file.display().to_string()]);
+    let client = Client::connect_as(Attach::Observer, &place.domain(), "live", PATIENCE);
+    let client = client.expect("attaches");
+    let view = View::start(&place, &["shm:live"]);
+    browser.open_served(&view.address(), "globalThis.viewer?.ready");
+    // A part, none, two parts; the list is opened, closes because nothing is to be listed, and is opened again.
+    for (radii, opens) in
+        [(&["1", "round"][..], true), (&["1", "1"], false), (&["flat", "round"], true)]
+    {
+        write(radii);
+        place.reload("live");
+        let newest = client.wait_next(PATIENCE).expect("a generation");
+        browser.wait(&format!("viewer.map.generation === {}", newest.generation()));
+        if opens {
+            browser.key("f");
+        }
+        let parts: Vec<Value> = newest
+            .map()
+            .quarantined()
+            .map(|part| {
+                let at = part.source_position();
+                let name = format!("{} {}", part.kind().name(), part.id());
+                json!([name, part.rule(), part.message(), format!("{}:{}", at.line, at.column)])
+            })
+            .collect();
+        let count = radii.iter().filter(|radius| radius.parse::<f64>().is_err()).count();
+        assert_eq!(parts.len(), count);
+        let red = painted(&mut browser, &["left out"]) - painted(&mut browser, &[]);
+        assert_eq!(red > 0.0, count > 0, "{red} pixels of {radii:?}");
+        let button = browser.evaluate("document.querySelector('#show-list').textContent");
+        let words = if count > 0 { format!("{count} left out") } else { String::new() };
+        assert_eq!(button, json!(words));
+        let rows = "[...document.querySelectorAll('#list tbody tr')].map(row => [...row.children].map(cell => cell.textContent))";
+        assert_eq!(browser.evaluate(rows), json!(parts), "{radii:?}");
+        let is_hidden = browser.evaluate("document.querySelector('#list').hidden");
+        assert_eq!(is_hidden, json!(count == 0));
+        if count > 0 {
+            // An archive does not tell more, and the page says so.
+            let note = browser.evaluate("document.querySelector('#list p').textContent");
+            assert!(
+                note.as_str()
+                    .is_some_and(|note| note.ends_with("known only of an OpenDRIVE file.")),
+                "{note}"
+            );
+            browser.evaluate("document.querySelectorAll('#list td a')[0].click()");
+            let title = browser.evaluate("document.querySelector('#panel h1').textContent");
+            assert!(
+                title.as_str().is_some_and(|title| title.starts_with("Left out: object ")),
+                "{title}"
+            );
+        }
+    }
+    assert_eq!(daemon.stop(), 0);
     assert_eq!(browser.complaints, [""; 0]);
 }

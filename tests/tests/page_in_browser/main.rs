@@ -9,10 +9,16 @@ mod answers;
 mod drawing;
 // What was found in a file, as its page lists it.
 mod findings;
+// What is chosen stands out: lanes around a lane, a route with its room and its tables.
+mod lit;
 // The page of `mapd view`: it follows what a daemon serves, without being loaded again.
 mod live;
 // Moving and measuring by keys and clicks, the place under the pointer, and how marks are painted.
 mod looking;
+// Where the page paints: layer by layer and pixel by pixel.
+mod painted;
+// The search field finds everything that has a name or a place.
+mod searching;
 // The page on a phone: a small screen, and fingers.
 mod touch;
 
@@ -73,6 +79,43 @@ fn under_works(snapshot: Snapshot) -> Snapshot {
     let text = format!(r#"{{"entries":[{}]}}"#, roads.map(entry).collect::<Vec<_>>().join(","));
     let (bytes, _) = over(snapshot.map(), &text, true);
     snapshot.with_overlay(bytes).expect("its own")
+}
+
+/// The town with what has a layer of its own, and with one part that is left out.
+fn town_with_everything() -> Snapshot {
+    let object = |id: &str, more: &str| {
+        format!(r#"<object id="{id}" zOffset="0" hdg="0" orientation="none" {more}/>"#)
+    };
+    let signal = |id: &str, more: &str| {
+        format!(
+            r#"<signal id="{id}" dynamic="no" orientation="+" zOffset="2" country="DE" subtype="-1" {more}/>"#
+        )
+    };
+    let things = [
+        "<objects>".to_owned(),
+        object("zebra", r#"type="crosswalk" s="30" t="0" length="3" width="7""#),
+        object("oak", r#"type="tree" s="20" t="8" radius="1" height="9""#),
+        object("broken", r#"type="tree" s="50" t="9" radius="round" height="3""#),
+        "</objects><signals>".to_owned(),
+        signal("sign of 30", r#"s="20" t="-5" type="274" value="30" unit="km/h""#),
+        signal("stop", r#"s="70" t="-5" type="294" value="-1""#),
+        "</signals></road>".to_owned(),
+    ];
+    let text = std::fs::read_to_string(mapd_tests::carried("town.xodr")).expect("a map");
+    // In the second junction, turns of roads with lower numbers go first.
+    let turns = 100_100..100_106;
+    let pairs = turns.clone().flat_map(|high| (high + 1..turns.end).map(move |low| (high, low)));
+    let priority = |(high, low)| format!(r#"<priority high="{high}" low="{low}"/>"#);
+    let priorities = pairs.map(priority).collect::<String>() + "</junction>";
+    let junction = text.find(r#"id="1001""#).expect("the junction");
+    let (before, after) = text.split_at(junction);
+    let text = before.replacen("</road>", &things.concat(), 1)
+        + &after.replacen("</junction>", &priorities, 1);
+    // From a file, which is read again where something is left out.
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("town.xodr");
+    std::fs::write(&file, text).expect("written");
+    mapd_tests::maps::open(&file)
 }
 
 /// Pixels that differ from the background with only these layers shown.

@@ -1,5 +1,7 @@
 //! What is laid over a served map: readers see it, it outlives the daemon, and comes with each new generation at once.
 
+use ct_codecs::{Base64, Decoder};
+use flate2::read::GzDecoder;
 use mapd_client::view::OverlayKind;
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Attach, Client, Snapshot};
@@ -8,7 +10,7 @@ use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::town::town;
 use serde_json::Value;
 use std::fs;
-use std::io::Write;
+use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::{Output, Stdio};
 use std::time::{Duration, UNIX_EPOCH};
@@ -175,6 +177,15 @@ fn it_is_shown() {
     let revision = scene.list()["revision"].as_u64();
     let said = format!("overlay: revision {}, 1 entries", revision.expect("a number"));
     assert!(run(&["status"]).contains(&said), "{}", run(&["status"]));
+    // The page has it as it is served.
+    let page = run(&["export", "shm:town", "--format", "html"]);
+    let (_, rest) = page.split_once("id=\"overlay\">").expect("its element");
+    let packed = rest.split_once("</script>").expect("its end").0;
+    let packed = Base64::decode_to_vec(packed, None).expect("base64");
+    let mut bytes = Vec::new();
+    GzDecoder::new(&packed[..]).read_to_end(&mut bytes).expect("gzip");
+    assert!(!bytes.is_empty());
+    assert_eq!(bytes, scene.client(Attach::Observer).snapshot().overlay_bytes());
     // A format without a place for it says so.
     let mut lanelets = scene.place.command();
     lanelets.args(["export", "shm:town", "--format", "lanelet2", "--origin", "48,11"]);
