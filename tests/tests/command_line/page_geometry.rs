@@ -98,6 +98,10 @@ fn check_drawn(
     let [areas, borders, references] = drawn;
     let mut compared = 0;
     for (road, n) in lanes {
+        if map.road_by_id(road).is_none() {
+            assert!(map.quarantined().len() > 0, "{name} has no road {road:?}");
+            continue;
+        }
         let [s, number, width, inner, outer, x, y, heading] = n[..] else { panic!("{n:?}") };
         let middle = DVec2::new(x, y);
         let allowed = DRAWN + SINGLE * middle.distance(areas.middle);
@@ -136,6 +140,14 @@ fn check_said(
             continue;
         }
         let said = ["s", "t", "z"].map(|which| lane[which].as_f64().expect("a number"));
+        // In a bend a place may lie beside more than one s: the nearest is said, which must lead to the same place.
+        if said[1].abs() < t.abs() - SAID {
+            let track = Track { s: said[0], t: said[1], h: 0.0 };
+            let road = view.map().road_by_id(road).expect("the road");
+            let there = road.to_inertial(track).expect("a pose").position.truncate();
+            assert!(there.distance(DVec2::new(x, y)) <= SAID, "{name}: {there}, not {x}, {y}");
+            continue;
+        }
         let away = [said[0] - s, said[1] - t, said[2] - z];
         assert!(
             away.iter().all(|away| away.abs() <= SAID),
