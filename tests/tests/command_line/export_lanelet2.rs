@@ -228,6 +228,17 @@ fn ends(lanelet: &Lanelet<'_>, forward: bool, at_end: bool) -> [u64; 2] {
     if forward { [end(left), end(right)] } else { [end(right), end(left)] }
 }
 
+/// The keys that the borders of each lanelet of a lane are called by, behind the lane's own.
+fn named_borders(osm: &Osm) -> Vec<(String, BTreeSet<String>)> {
+    let lanelets = osm.relations.values().filter(|one| says(one, "type", "lanelet"));
+    let named = lanelets.filter_map(|one| {
+        let borders = one.members.iter().filter(|(role, _)| role == "left" || role == "right");
+        let keys = borders.map(|(_, way)| osm.ways[way].tags["lane_key"].clone());
+        Some((one.tags.get("lane_key")?.clone(), keys.collect()))
+    });
+    named.collect()
+}
+
 #[test]
 fn every_reference_has_its_element_and_every_element_its_tags() {
     let mut shared = 0;
@@ -245,6 +256,14 @@ fn every_reference_has_its_element_and_every_element_its_tags() {
             assert!(way.members.len() > 1, "{name}");
             assert!(way.members.iter().all(|(_, node)| osm.nodes.contains_key(node)), "{name}");
             assert!(way.tags.contains_key("type"), "{name} {:?}", way.tags);
+        }
+        for (lanelet, own) in named_borders(&osm) {
+            // Its outer border is called as it is itself, its inner one as the lane beside it towards lane 0.
+            let lane = snapshot.map().lane_by_key(&lanelet.parse().expect("a key"));
+            let lane = lane.expect("a lane");
+            let inner = lane.inner().expect("a lane").key().to_string();
+            let expected = BTreeSet::from([lanelet.clone(), inner]);
+            assert_eq!(own, expected, "{name}: borders of {lanelet}");
         }
         for (id, relation) in &osm.relations {
             let is_there = |id: &u64| osm.ways.contains_key(id) || osm.relations.contains_key(id);

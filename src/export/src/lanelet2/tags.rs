@@ -136,7 +136,7 @@ fn participants(node: &LaneNode<'_>, tags: &mut Vec<Tag<'_>>, report: &mut Repor
     }
 }
 
-/// The tags of the border of a lane along a piece.
+/// The tags of the border of a lane along a piece. Its key names it for everybody: a border is the outer one of one lane, or the line of lane 0.
 pub(super) fn border(
     network: &Network<'_>,
     stretch: &Stretch<'_>,
@@ -152,7 +152,8 @@ pub(super) fn border(
         |lane: &Option<&Lane<'_>>| lane.is_some_and(|lane| network.number(lane, piece).is_some());
     let is_edge = !lanelet(&left) || !lanelet(&right);
     let (kind, subtype) = kind(lane, mark.as_ref(), is_edge);
-    let mut tags: Vec<Tag<'static>> = vec![("type", kind.into())];
+    let mut tags: Vec<Tag<'static>> =
+        vec![("type", kind.into()), ("lane_key", lane.key().to_string().into())];
     tags.extend(subtype.map(|subtype| ("subtype", subtype.into())));
     let color = mark.as_ref().map_or(RoadMarkColor::NotGiven, RoadMark::color);
     if !matches!(color, RoadMarkColor::NotGiven | RoadMarkColor::Standard | RoadMarkColor::Unknown)
