@@ -110,3 +110,30 @@ fn calls_that_migration_names_exist() {
     }
     assert!(calls > 40, "the page names {calls} calls");
 }
+
+/// Formats that maps are written in, each with the page and the picture that shows what becomes of it.
+const PICTURES: [(&str, &str, &[&str]); 6] = [
+    ("`svg`", "export.md", &["objects.svg"]),
+    ("`html`", "view.md", &["view.png"]),
+    ("`geojson`", "export.md", &["geojson.png"]),
+    ("`flatgeobuf`", "export.md", &["flatgeobuf.png", "qgis.png"]),
+    ("`mapd-foxglove`", "export.md", &["mcap.png"]),
+    ("`lanelet2`", "export.md", &["lanelet2.png"]),
+];
+
+#[test]
+fn every_format_has_a_picture() {
+    let text = page("export.md");
+    let (_, table) = text.split_once("| format | content |").expect("a table of formats");
+    let rows = table.lines().skip(2).take_while(|line| line.starts_with('|'));
+    let formats: Vec<&str> = rows.filter_map(|row| row.split_whitespace().nth(1)).collect();
+    assert_eq!(formats, PICTURES.map(|(format, ..)| format));
+    for (format, name, pictures) in PICTURES {
+        for picture in pictures {
+            let link = format!("](pictures/{picture})");
+            assert!(page(name).contains(&link), "{format}: {name} does not show {picture}");
+            let file = workspace().join("docs/pictures").join(picture);
+            assert!(file.is_file(), "{}", file.display());
+        }
+    }
+}

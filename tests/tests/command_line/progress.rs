@@ -65,19 +65,42 @@ fn lines_where_there_is_no_terminal() {
     }
 }
 
-/// An export says how far compiling is, then how far writing is, unless it is told to be quiet.
+/// An export says how far compiling is, then how far writing is, in every format, unless it is told to be quiet.
 #[test]
 fn an_export_says_what_it_writes() {
     let scene = Scene::new();
-    let command = ["export", "maps/town.xodr", "--format", "flatgeobuf", "-o", "town.fgb"];
-    let plain = scene.run(&command);
-    assert_eq!(plain, (String::new(), String::new()), "all is done before a line is due");
-    let (_, told) = scene.run(&[&command[..], &EACH].concat());
-    for part in ["town.xodr: ", " roads, ", "town.fgb: writing lanes", "town.fgb: writing edges"] {
-        assert!(told.contains(part), "{part:?} is missing in {told}");
+    for (format, parts) in [
+        ("svg", &["writing lanes", "writing objects and signals"][..]),
+        ("geojson", &["writing lanes", "writing edges"]),
+        ("flatgeobuf", &["writing lanes", "writing edges", "writing the index"]),
+        ("html", &["writing packing the map"]),
+        (
+            "lanelet2",
+            &[
+                "writing joining lanes",
+                "writing aligning borders",
+                "writing points",
+                "writing lanelets",
+            ],
+        ),
+    ] {
+        let mut command = vec!["export", "maps/town.xodr", "--format", format, "-o", "out"];
+        if ["geojson", "lanelet2"].contains(&format) {
+            command.extend(["--origin", "49,8.4"]);
+        }
+        let nothing = (String::new(), String::new());
+        assert_eq!(scene.run(&command), nothing, "{format}: all is done before a line is due");
+        let (_, told) = scene.run(&[&command[..], &EACH].concat());
+        for part in ["town.xodr: ", " roads, "] {
+            assert!(told.contains(part), "{format}: {part:?} is missing in {told}");
+        }
+        for part in parts {
+            let part = format!("out: {part}");
+            assert!(told.contains(&part), "{format}: {part:?} is missing in {told}");
+        }
+        let quiet = scene.run(&[&command[..], &["--quiet"], &EACH].concat());
+        assert_eq!(quiet, nothing);
     }
-    let quiet = scene.run(&[&command[..], &["--quiet"], &EACH].concat());
-    assert_eq!(quiet, (String::new(), String::new()));
 }
 
 #[test]

@@ -1,37 +1,13 @@
 //! What the page draws.
 
 use crate::{browser, painted, under_works};
-use mapd_tests::maps::{carried_and, open};
-use mapd_web::Layer;
+use mapd_tests::maps::open;
 use serde_json::json;
-use std::time::UNIX_EPOCH;
 
 /// Share by which the area that is seen may differ from the lanes' own: what overlaps counts once, edges are pixels.
 const AREA: f64 = 0.1;
 
-/// Each layer that has something is seen, one that has nothing is not; lanes cover as many pixels as they have area.
-#[test]
-fn every_layer_is_seen() {
-    for path in carried_and(&["esmini/soderleden"]) {
-        let snapshot = under_works(open(&path));
-        let Some(mut browser) = browser(&snapshot) else { return };
-        let names = browser.evaluate("LAYERS");
-        for (layer, name) in Layer::ALL.iter().zip(names.as_array().expect("names")) {
-            let drawing = layer.draw(snapshot.view(UNIX_EPOCH));
-            // So near that each layer is drawn.
-            let corner = drawing.corners.first().map(|corner| corner.place);
-            if let Some([x, y]) = drawing.strokes.first().map(|stroke| stroke.from).or(corner) {
-                let fit = format!("viewer.show([{x} - 20, {y} - 20, {x} + 20, {y} + 20])");
-                browser.evaluate(&fit);
-            }
-            let is_there = !drawing.triangles.is_empty() || !drawing.strokes.is_empty();
-            let count = painted(&mut browser, &[name.as_str().expect("a name")]);
-            assert_eq!(count > 0.0, is_there, "{layer:?} of {}: {count} pixels", path.display());
-        }
-        assert_eq!(browser.complaints, [""; 0]);
-    }
-}
-
+/// Lanes cover as many pixels as they have area.
 #[test]
 fn lanes_cover_their_area() {
     let snapshot = open(&mapd_tests::carried("one_road.xodr"));

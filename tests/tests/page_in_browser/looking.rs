@@ -106,6 +106,32 @@ fn places_on_earth_and_measures_are_right() {
     assert_eq!(browser.complaints, [""; 0]);
 }
 
+/// The page begins as dark as the rest of the machine; without a pointer, Enter says what is in the middle of the screen.
+#[test]
+fn the_machine_chooses_the_theme_and_enter_the_middle() {
+    let snapshot = open(&mapd_tests::carried("town.xodr"));
+    let Some(mut browser) = browser(&snapshot) else { return };
+    for theme in ["dark", "light"] {
+        let media = json!({ "features": [{ "name": "prefers-color-scheme", "value": theme }] });
+        browser.call("Emulation.setEmulatedMedia", media);
+        browser.evaluate("delete globalThis.viewer; start()");
+        browser.wait("globalThis.viewer?.ready");
+        let said = "[document.documentElement.dataset.theme, viewer.dark]";
+        assert_eq!(browser.evaluate(said), json!([theme, theme == "dark"]));
+    }
+    let lane = snapshot.map().lanes().find(|lane| lane.kind().is_drivable()).expect("a lane");
+    let s = 0.5 * (lane.section().s_start() + lane.section().s_end());
+    let place = lane.pose_at(s, 0.0).expect("a place").position;
+    browser.evaluate(&format!(
+        "[viewer.camera.x, viewer.camera.y] = viewer.near({}, {})",
+        place.x, place.y
+    ));
+    browser.key("Enter");
+    let title = browser.evaluate("document.querySelector('#panel h1')?.textContent ?? null");
+    assert_eq!(title, json!(format!("Lane {}", lane.key())));
+    assert_eq!(browser.complaints, [""; 0]);
+}
+
 /// Marks are painted in their colour where the map says that they are painted, and nothing is in their gaps.
 #[test]
 fn marks_have_their_colours_and_gaps() {
