@@ -2,7 +2,8 @@
 
 use crate::{browser, town_with_everything, under_works};
 use mapd_tests::browser::Browser;
-use mapd_tests::maps::{carried_and, open};
+use mapd_tests::maps::open;
+use mapd_tests::{carried, shared};
 use mapd_web::{Drawing, Layer};
 use serde_json::{Value, json};
 use std::time::UNIX_EPOCH;
@@ -252,8 +253,9 @@ fn check(browser: &mut Browser, drawing: &Drawing, layer: Layer, name: &str) -> 
 
 #[test]
 fn every_layer_is_painted_where_the_map_has_it() {
-    let mut snapshots = vec![under_works(town_with_everything())];
-    snapshots.extend(carried_and(&["esmini/soderleden"]).iter().map(|path| open(path)));
+    let real = shared("maps").map(|folder| folder.join("esmini/soderleden.xodr"));
+    let mut snapshots = vec![under_works(town_with_everything()), open(&carried("marks.xodr"))];
+    snapshots.extend(real.map(|path| open(&path)));
     let mut painted = Vec::new();
     for snapshot in snapshots {
         let Some(mut browser) = browser(&snapshot) else { return };
