@@ -26,7 +26,7 @@ def main(arguments: list[str]) -> None:
     limit = hit.lane.speed_rule_at(hit.s).max
     print("speed limit", "unknown" if limit is None else f"{limit * 3.6:.0f} km/h")
 
-    for lanes in map.lane_sequences_ahead(hit, 150.0).sequences:
+    for lanes in map.lane_sequences_ahead(hit, 150.0):
         print("ahead:", " > ".join(lane.key for lane in lanes))
     for ahead in map.signals_ahead(hit, 150.0):
         print(f"in {ahead.distance:.1f} m: {ahead.signal}")

@@ -4,10 +4,10 @@
 usage: ad_map.py MAP.xodr...; wants the packages `ad_map_access` and `ad_physics` and `target/debug/mapd`, or the program that MAPD names.
 
 Between the middles of random lanes both find the shortest route. Where both drive over the same lanes, the borders of ad_map_access's route should lie on
-the edges of mapd's corridor, lanes to which mapd yields should go first there (right before left, as in Germany), and lanes that yield to mapd's path should not. A
-lane's id is there road · 10000 + (section + 1) · 100 + 50 + lane.
+the edges of mapd's corridor. Where the path passes one of its intersections, lanes to which mapd yields should go first there (right before left, as in Germany), and lanes
+that yield to mapd's path should not. A lane's id is there road · 10000 + (section + 1) · 100 + 50 + lane.
 
-Each difference is put to one of those that README.md explains (`EXPLAINED`); it ends with 1 if one is none of them.
+Each difference is put to one of the reasons in `EXPLAINED`, which README.md lists, if the check of that reason holds for it; the program ends with 1 if one has none.
 """
 import collections
 import csv
@@ -25,14 +25,16 @@ PAIRS = 100
 # Lengths that differ by a smaller share, and borders that lie nearer [m], are the same: ad_map_access cuts its lanes into chords.
 SAME_LENGTH, SAME_BORDER = 0.005, 0.10
 ROUTE = ["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"]
-# Chords of ad_map_access's borders lie this far from the curve at most [m].
-CHORD = 0.20
+# Each edge's middle is where half of its own length is: in a bend by up to this far before or beyond the middle of the lane [m].
+BEYOND = 0.5
+# Distance of stations of corridor and path [m].
+STEP = 0.5
 EXPLAINED = {
-    "length": "on a stretch with several lanes one length stands for all of them",
-    "only mapd": "a lane is left by a change of lane",
-    "border": "a chord of a curve",
-    "turn across oncoming traffic": "PriorityToRight knows no rule of turns",
-    "from the right": "another lane of the intersection has it on its right",
+    "least length": "of lanes side by side ad_map_access counts the shortest; its own lengths of the lanes that mapd drives add up to mapd's",
+    "another way": "the shortest way is another one where of lanes side by side the shortest counts",
+    "no link": "ad_map_access has no link between two lanes that follow each other on mapd's way, or lacks one of them",
+    "bidirectional": "mapd leaves a lane for both directions by a change of lane, ad_map_access does not",
+    "beyond the end": "in a bend ad_map_access ends each border at half of its own length, mapd straight across from the other one: the point lies straight on beyond mapd's edge",
 }
 ad = ad_map_access.map
 
@@ -69,20 +71,81 @@ def plan(start, goal):
     return ad.route.planRoute(*ends, ad.route.RouteCreationMode.SameDrivingDirection)
 
 
-def lanes_of(route):
-    """Lanes of a route; of those beside each other any."""
-    return [{key(lane.lane_interval.lane_id) for lane in segment.drivable_lane_segments} for segment in route.road_segments]
+def metres(distance):
+    return float(str(distance))
 
 
-def from_polyline(points, place):
-    """Distance of a place from a polyline whose points follow each other closely."""
-    best = math.inf
-    for (ax, ay), (bx, by) in zip(points, points[1:]):
-        dx, dy = bx - ax, by - ay
-        square = dx * dx + dy * dy
-        share = 0.0 if square == 0 else max(0.0, min(1.0, ((place[0] - ax) * dx + (place[1] - ay) * dy) / square))
-        best = min(best, math.hypot(place[0] - ax - share * dx, place[1] - ay - share * dy))
-    return best
+def segments_of(route):
+    """Of each stretch of a route the lanes, each with its length there; of those side by side any may be driven."""
+    lengths = ad.route.calcLength
+    return [{key(own.lane_interval.lane_id): metres(lengths(own.lane_interval)) for own in part.drivable_lane_segments} for part in route.road_segments]
+
+
+def driven_there(ours, segments):
+    """Length of mapd's way by ad_map_access's own lengths; none if the way leads over other lanes."""
+    total, at = 0.0, 0
+    for part in segments:
+        last = None
+        while at < len(ours) and ours[at] in part:
+            last, at = ours[at], at + 1
+        if last is None:
+            return None
+        # A lane that is left by a change is driven for no length.
+        total += part[last]
+    return total if at == len(ours) else None
+
+
+def missing_link(ours, by_key):
+    """The first two lanes of a way between which ad_map_access has no link; none if there are none."""
+    for one, following in zip(ours, ours[1:]):
+        if one not in by_key or following not in by_key:
+            return one, following
+        contacts = ad.lane.getLane(by_key[one]).contact_lanes
+        if following not in {key(contact.to_lane) for contact in contacts}:
+            return one, following
+    return None
+
+
+def leaves_bidirectional(ours, by_key):
+    """Whether a way leaves or enters a lane for both directions by a change of lane."""
+    changes = [pair for pair in zip(ours, ours[1:]) if pair[0][:2] == pair[1][:2]]
+    both = {one for pair in changes for one in pair if one in by_key and str(ad.lane.getLane(by_key[one]).direction) in ("BIDIRECTIONAL", "REVERSABLE")}
+    return bool(both)
+
+
+def why_one_alone(ours, by_key):
+    """Why mapd alone finds a way."""
+    if missing_link(ours, by_key):
+        return "no link"
+    return "bidirectional" if leaves_bidirectional(ours, by_key) else ""
+
+
+def why_other_length(length, ours, segments, by_key):
+    """Why both find a way, of different lengths."""
+    there = driven_there(ours, segments)
+    if there is not None:
+        return "least length" if is_same(length, there) else ""
+    # Their way is in truth as long as the lanes that are driven: no shorter than mapd's, and no longer than this.
+    longest, least = (sum(of(part.values()) for part in segments) for of in (max, min))
+    if least < length and (length < longest or is_same(length, longest)):
+        return "another way"
+    return why_one_alone(ours, by_key)
+
+
+def is_same(length, other):
+    return abs(length - other) <= SAME_LENGTH * max(length, other) + 0.5
+
+
+def is_beyond_end(points, place):
+    """Whether a place lies straight on beyond an end of a polyline."""
+    for end, before in ((points[0], points[1]), (points[-1], points[-2])):
+        dx, dy = end[0] - before[0], end[1] - before[1]
+        length = math.hypot(dx, dy)
+        ahead = ((place[0] - end[0]) * dx + (place[1] - end[1]) * dy) / length
+        beside = ((place[1] - end[1]) * dx - (place[0] - end[0]) * dy) / length
+        if 0.0 < ahead < BEYOND and abs(beside) <= SAME_BORDER:
+            return True
+    return False
 
 
 class Differences:
@@ -92,32 +155,72 @@ class Differences:
         self.explained = collections.Counter()
         self.unexplained = []
 
-    def add(self, kind, is_explained, text):
-        if kind in EXPLAINED and is_explained:
-            self.explained[kind] += 1
+    def add(self, reason, text):
+        if reason in EXPLAINED:
+            self.explained[reason] += 1
         else:
-            self.unexplained.append(f"{kind}: {text}")
+            self.unexplained.append(text)
+
+
+def read(path):
+    """Whether ad_map_access reads a map; that becomes its only one."""
+    ad.access.cleanup()
+    ad.access.setLogLevel(ad.access.level_enum.off)
+    kind = ad.intersection.IntersectionType.PriorityToRight
+    with open(path, encoding="utf-8") as file:
+        try:
+            return ad.access.initFromOpenDriveContent(file.read(), 0.05, kind, ad.landmark.TrafficLightType.UNKNOWN)
+        except IndexError as error:
+            print(f"{path}: {error}")
+            return False
+
+
+def compare_borders(route, room, found):
+    """Compares both borders of a route with the edges of a corridor; how many points, and how many of them are apart."""
+    sides = {side: [(float(s[f"{side}_x"]), float(s[f"{side}_y"])) for s in room] for side in ("left", "right")}
+    points, apart = 0, []
+    for piece in ad.route.getENUBorderOfRoute(route):
+        for side in ("left", "right"):
+            for p in getattr(piece, side).points:
+                points += 1
+                place = (metres(p.x), metres(p.y))
+                far = from_polyline(sides[side], place)
+                if far > SAME_BORDER:
+                    found.add("beyond the end" if is_beyond_end(sides[side], place) else "", f"border {far:.2f} m {side} of {place}")
+                    apart.append(far)
+    return points, apart
+
+
+def compare_priorities(route, stations, meets, row, found, counted):
+    """Compares who goes first where the path passes an intersection."""
+    name = lambda lane: ":".join(str(n) for n in key(lane))
+    for crossing in ad.intersection.Intersection.getIntersectionsForRoute(route):
+        own = {name(lane) for lane in crossing.lanesOnRoute}
+        inside = [float(s["S"]) for s in stations if s["lane"] in own]
+        if not inside:
+            continue
+        first = {name(lane) for lane in crossing.internalLanesWithHigherPriority}
+        for one in meets:
+            # The same intersection may be passed again, by other lanes.
+            if one["yields"] == "unknown" or not min(inside) - STEP <= float(one["S_from"]) <= max(inside) + STEP:
+                continue
+            goes_first = one["other_lane"] in first
+            counted[one["yields"]] += 1
+            if goes_first != (one["yields"] == "yields"):
+                found.add("", f"{row} {one['yields']} to {one['other_lane']} by {one['reason']}, there {'first' if goes_first else 'not first'}")
 
 
 def compare(mapd, path):
     """The differences on a map."""
     found = Differences()
-    ad.access.cleanup()
-    ad.access.setLogLevel(ad.access.level_enum.off)
-    with open(path, encoding="utf-8") as file:
-        kind = ad.intersection.IntersectionType.PriorityToRight
-        try:
-            read = ad.access.initFromOpenDriveContent(file.read(), 0.05, kind, ad.landmark.TrafficLightType.UNKNOWN)
-        except IndexError as error:
-            read = print(f"{path}: {error}")
-    if not read:
+    if not read(path):
         print(f"{path}: ad_map_access does not read it")
         return found
     source = random.Random(7)
-    normal = [lane for lane in ad.lane.getLanes() if str(ad.lane.getLane(lane).type) == "NORMAL" and float(str(ad.lane.getLane(lane).length)) > 2.0]
+    by_key = {key(lane): lane for lane in ad.lane.getLanes()}
+    normal = [lane for lane in ad.lane.getLanes() if str(ad.lane.getLane(lane).type) == "NORMAL" and metres(ad.lane.getLane(lane).length) > 2.0]
     normal.sort(key=number)
-    points = [middle(lane) for lane in normal]
-    places = ask(mapd, path, "nearest", ["x", "y"], points, "--types", "drivable")
+    places = ask(mapd, path, "nearest", ["x", "y"], [middle(lane) for lane in normal], "--types", "drivable")
     known = {}
     for lane, place in zip(normal, places):
         road, section, own = key(lane)
@@ -127,62 +230,46 @@ def compare(mapd, path):
     rows = [known[number(a)] + known[number(b)] for a, b in tried]
     routes = ask(mapd, path, "route", ROUTE, rows, "--lane-change", "0")
     counts = {name: 0 for name in ("same", "shorter", "longer", "only mapd", "only ad_map", "neither")}
-    borders = apart = 0
-    worst = 0.0
-    yielded = agreed = kept = 0
-    disagreed = collections.Counter()
+    compared = []
     for (start, goal), row, own in zip(tried, rows, routes):
         route = plan(start, goal)
-        theirs = lanes_of(route)
-        if not theirs or own["error"]:
-            kind = "neither" if not theirs and own["error"] else "only ad_map" if theirs else "only mapd"
+        segments = segments_of(route)
+        ours = [tuple(int(n) for n in lane.split(":")) for lane in own["lanes"].split(";") if lane]
+        if not segments or own["error"]:
+            kind = "neither" if not segments and own["error"] else "only ad_map" if segments else "only mapd"
             counts[kind] += 1
             if kind != "neither":
-                found.add(kind, own["lane_changes"] not in ("", "0"), f"{row} {own['error']}")
+                found.add(why_one_alone(ours, by_key) if ours else "", f"{kind} finds a way {row} {own['lanes']} {own['error']}")
             continue
-        length, other = float(own["length"]), float(str(ad.route.calcLength(route)))
-        if abs(length - other) > SAME_LENGTH * max(length, other) + 0.5:
+        length, other = float(own["length"]), metres(ad.route.calcLength(route))
+        if not is_same(length, other):
             counts["shorter" if length < other else "longer"] += 1
-            found.add("length", any(len(lanes) > 1 for lanes in theirs), f"{row} {length} there {other}")
+            reason = why_other_length(length, ours, segments, by_key)
+            found.add(reason, f"{row} {length} m over {own['lanes']}, there {other} m over {segments}")
             continue
         counts["same"] += 1
-        ours = [tuple(int(n) for n in lane.split(":")) for lane in own["lanes"].split(";")]
-        if [{lane} for lane in ours] != theirs:
-            continue
-        room = ask(mapd, path, "corridor", ROUTE, [row], "--step", "0.5")
-        sides = {side: [(float(s[f"{side}_x"]), float(s[f"{side}_y"])) for s in room] for side in ("left", "right")}
-        border = ad.route.getENUBorderOfRoute(route)
-        for piece in border:
-            for side in ("left", "right"):
-                for p in getattr(piece, side).points:
-                    borders += 1
-                    far = from_polyline(sides[side], (float(str(p.x)), float(str(p.y))))
-                    worst = max(worst, far)
-                    apart += far > SAME_BORDER
-                    if far > SAME_BORDER:
-                        found.add("border", far <= CHORD, f"{row} {far:.2f} m {side}")
-        meets = ask(mapd, path, "conflicts", ROUTE, [row], "--rules", "DE")
-        before = set()
-        for crossing in ad.intersection.Intersection.getIntersectionsForRoute(route):
-            before |= {":".join(str(n) for n in key(lane)) for lane in crossing.internalLanesWithHigherPriority}
-        for conflict in meets:
-            if conflict["yields"] == "yields":
-                yielded += 1
-                agreed += conflict["other_lane"] in before
-                if conflict["other_lane"] not in before:
-                    found.add("yields", False, f"{row} to {conflict['other_lane']} by {conflict['reason']}")
-            elif conflict["yields"] == "priority":
-                kept += 1
-                if conflict["other_lane"] in before:
-                    disagreed[conflict["kind"], conflict["reason"]] += 1
-                    found.add(conflict["reason"], conflict["basis"] == "rule", f"{row} {conflict['other_lane']}")
+        if [{lane} for lane in ours] == [set(part) for part in segments]:
+            compared.append((route, row))
+    # A question for each kind, not for each route.
+    answers = {}
+    for kind, options in (("corridor", ["--step", str(STEP)]), ("path", ["--step", str(STEP)]), ("conflicts", ["--rules", "DE"])):
+        by_route = collections.defaultdict(list)
+        for answer in ask(mapd, path, kind, ROUTE, list({tuple(row): row for _, row in compared}.values()), *options):
+            by_route[tuple(answer[name] for name in ROUTE)].append(answer)
+        answers[kind] = by_route
+    borders, apart, counted = 0, [], collections.Counter()
+    for route, row in compared:
+        of = {kind: by_route[tuple(row)] for kind, by_route in answers.items()}
+        points, beyond = compare_borders(route, of["corridor"], found)
+        borders += points
+        apart += beyond
+        compare_priorities(route, of["path"], of["conflicts"], row, found, counted)
     print(
         f"{path}: {len(known)} of {len(normal)} lanes have the same name, {sum(counts.values())} pairs: "
         + ", ".join(f"{count} {name}" for name, count in counts.items())
-        + f"; {borders} points of borders, {apart} apart (by up to {worst:.2f} m); of {yielded} lanes that mapd yields to {agreed} go first there, of {kept} that yield to it {sum(disagreed.values())}"
+        + f"; {borders} points of borders, {len(apart)} apart (by up to {max(apart, default=0.0):.2f} m); "
+        + f"where the path passes an intersection it yields to {counted['yields']} lanes and {counted['priority']} yield to it"
     )
-    for (kind, reason), count in disagreed.items():
-        print(f"  {count} of kind {kind}, which yield to mapd's path by {reason}")
     return found
 
 
@@ -191,7 +278,7 @@ if __name__ == "__main__":
     for file in sys.argv[1:]:
         differences = compare(os.environ.get("MAPD", "target/debug/mapd"), file)
         for kind, count in differences.explained.items():
-            print(f"  {count} explained: {kind}, {EXPLAINED[kind]}")
+            print(f"  {count} explained, {kind}: {EXPLAINED[kind]}")
         for text in differences.unexplained:
             print(f"  UNEXPLAINED {text}")
         unexplained += len(differences.unexplained)

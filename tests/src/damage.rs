@@ -196,8 +196,12 @@ fn ask_graph(map: Map<'_>) {
         let _ = next_lane_change(map, &steps, 0, from);
         let _ = map.route(from, to, car, &ShortestTime::default(), &mut scratch, &mut steps);
         let _ = map.reachable(from, 60.0, car, &length, &mut scratch, &mut reached);
-        let _ = map.lane_sequences_ahead(from, 60.0, car, &mut sequences);
-        let _ = map.lane_sequences_behind(from, 60.0, car, &mut sequences);
+        let _ = map.lane_sequences_ahead(from, 60.0, car, &mut scratch, &mut sequences);
+        let _ =
+            std::iter::repeat_with(|| sequences.next_sequence().is_some()).take(200).all(|is| is);
+        let _ = map.lane_sequences_behind(from, 60.0, car, &mut scratch, &mut sequences);
+        let _ =
+            std::iter::repeat_with(|| sequences.next_sequence().is_some()).take(200).all(|is| is);
         let _ = map.next_junction(from, 60.0, car);
         let _ = map.signals_along(&steps, &mut SignalsAhead::default());
         let _ = map.lines_along(&steps, &mut vec![]);

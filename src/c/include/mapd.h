@@ -692,14 +692,9 @@ enum {
 #define MAPD_YIELDS_LIGHTS 2
 
 /*
- `yields` of a conflict: the file's priorities say nothing about the two.
+ `yields` of a conflict: the file does not say. A rule of the road may; the reason names it.
  */
-#define MAPD_YIELDS_OPEN 3
-
-/*
- `yields` of a conflict: the file does not say, and a rule of the road would have to.
- */
-#define MAPD_YIELDS_UNKNOWN 4
+#define MAPD_YIELDS_UNKNOWN 3
 
 /*
  `direction` of a start or goal: either way.
@@ -2406,6 +2401,54 @@ typedef struct mapd_reached {
 } mapd_reached;
 
 /*
+ A node, or a piece of one where an overlay cuts it, that can be reached.
+ */
+typedef struct mapd_reached_piece {
+  /*
+   The lane.
+   */
+  struct mapd_lane_id lane;
+  /*
+   Smaller end on the road [m].
+   */
+  double s_from;
+  /*
+   Larger end on the road [m].
+   */
+  double s_to;
+  /*
+   Least cost up to its beginning; of those beside the start, of the lane changes to them.
+   */
+  double cost;
+  /*
+   Changes of lane on this way.
+   */
+  uint32_t lane_changes;
+  /*
+   1: it is travelled towards +s.
+   */
+  uint8_t forward;
+} mapd_reached_piece;
+
+/*
+ How one goes on from one piece that is reached to another.
+ */
+typedef struct mapd_reach_link {
+  /*
+   Number of the one.
+   */
+  size_t from;
+  /*
+   Number of the other.
+   */
+  size_t to;
+  /*
+   How it is entered: a `MAPD_ENTER_…`.
+   */
+  uint8_t enter;
+} mapd_reach_link;
+
+/*
  The next junction on a lane's way.
  */
 typedef struct mapd_next_junction {
@@ -3180,36 +3223,6 @@ typedef struct mapd_path_speed_today {
 } mapd_path_speed_today;
 
 /*
- A node, or a piece of one where an overlay cuts it, that can be reached.
- */
-typedef struct mapd_reached_piece {
-  /*
-   The lane.
-   */
-  struct mapd_lane_id lane;
-  /*
-   Smaller end on the road [m].
-   */
-  double s_from;
-  /*
-   Larger end on the road [m].
-   */
-  double s_to;
-  /*
-   Least cost up to its beginning; of those beside the start, of the lane changes to them.
-   */
-  double cost;
-  /*
-   Changes of lane on this way.
-   */
-  uint32_t lane_changes;
-  /*
-   1: it is travelled towards +s.
-   */
-  uint8_t forward;
-} mapd_reached_piece;
-
-/*
  A signal ahead.
  */
 typedef struct mapd_signal_ahead {
@@ -3343,24 +3356,6 @@ typedef struct mapd_alternative_options {
    */
   double longest;
 } mapd_alternative_options;
-
-/*
- How one goes on from one piece that is reached to another.
- */
-typedef struct mapd_reach_link {
-  /*
-   Number of the one.
-   */
-  size_t from;
-  /*
-   Number of the other.
-   */
-  size_t to;
-  /*
-   How it is entered: a `MAPD_ENTER_…`.
-   */
-  uint8_t enter;
-} mapd_reach_link;
 
 /*
  A junction.
@@ -5385,9 +5380,8 @@ mapd_code mapd_reachable_to(const struct mapd_snapshot *snapshot,
 
 /*
  All sequences of lanes that a vehicle can follow from a place without changing lanes (`ahead` not 0), or on which it can have come there,
- until each is `distance` [m] long or ends. `out` gets the lanes of all sequences one behind the other, `ends` where each ends in `out`.
- `truncated`: 1 where there are more sequences than the 1,024 that are listed; null is fine. `mapd_reach` has each lane once, however many ways
- lead over it.
+ until each is `distance` [m] long or ends: what they have in common, as `mapd_reach` writes it, each piece of a lane once. `mapd_next_sequence` tells them one
+ by one. The lane of the place may be any; every other one must be open to the vehicle.
 
  Errors: as `mapd_route`.
  */
@@ -5397,14 +5391,25 @@ mapd_code mapd_lane_sequences(const struct mapd_snapshot *snapshot,
                               uint8_t vehicle,
                               uint8_t ahead,
                               struct mapd_scratch *scratch,
-                              struct mapd_lane_id *out,
+                              struct mapd_reached_piece *out,
                               size_t capacity,
                               size_t *count,
-                              size_t *ends,
-                              size_t ends_capacity,
-                              size_t *ends_count,
-                              uint8_t *truncated,
+                              struct mapd_reach_link *links,
+                              size_t link_capacity,
+                              size_t *link_count,
                               struct mapd_error *error);
+
+/*
+ The next of the sequences that the last `mapd_lane_sequences` with this scratch found: its lanes, from the one of the place on, in the direction in which it is
+ followed. `MAPD_CODE_NONE` after the last one. After `MAPD_CODE_TOO_SMALL` the next call tells the same one. Their number doubles with each fork.
+
+ Errors: null where something is needed.
+ */
+mapd_code mapd_next_sequence(struct mapd_scratch *scratch,
+                             struct mapd_lane_id *out,
+                             size_t capacity,
+                             size_t *count,
+                             struct mapd_error *error);
 
 /*
  The next junction ahead of a place within a distance [m], following the lanes as long as there is but one way on, or all ways lead into one

@@ -274,38 +274,32 @@ class Snapshot : public Queries {
   View view(double at_s) const { return try_view(at_s).value(); }
 #endif
 
-  /// All sequences of lanes ahead of a place, or behind it.
-  Result<LaneSequences> try_lane_sequences(PositionOnLane from, double distance, std::uint8_t vehicle, bool ahead,
-                                           Scratch& scratch) const {
+  /// What all sequences of lanes ahead of a place, or behind it, have in common; `try_next_sequence` tells them one by one.
+  Result<Reach> try_lane_sequences(PositionOnLane from, double distance, std::uint8_t vehicle, bool ahead,
+                                   Scratch& scratch) const {
+    return detail::reach<Reach>([&](auto... out) {
+      return mapd_lane_sequences(get(), from, distance, vehicle, ahead ? std::uint8_t{1} : std::uint8_t{0},
+                                 scratch.get(), out...);
+    });
+  }
+  /// The next of these sequences, by the same scratch; none after the last one.
+  Result<std::optional<std::vector<LaneId>>> try_next_sequence(Scratch& scratch) const {
     std::vector<LaneId> lanes(64);
-    std::vector<std::size_t> ends(16);
-    std::uint8_t truncated = 0;
     mapd_error error;
     for (;;) {
-      std::size_t lane_count = 0, end_count = 0;
-      const mapd_code code = mapd_lane_sequences(get(), from, distance, vehicle, ahead ? 1 : 0, scratch.get(),
-                                                 lanes.data(), lanes.size(), &lane_count, ends.data(), ends.size(),
-                                                 &end_count, &truncated, &error);
+      std::size_t count = 0;
+      const mapd_code code = mapd_next_sequence(scratch.get(), lanes.data(), lanes.size(), &count, &error);
+      if (code == MAPD_CODE_NONE) return std::optional<std::vector<LaneId>>();
       if (code != MAPD_CODE_OK && code != MAPD_CODE_TOO_SMALL) return detail::failed(code, error);
-      lanes.resize(lane_count);
-      ends.resize(end_count);
-      if (code == MAPD_CODE_OK) break;
+      lanes.resize(count);
+      if (code == MAPD_CODE_OK) return std::optional<std::vector<LaneId>>(std::move(lanes));
     }
-    LaneSequences out;
-    out.truncated = truncated != 0;
-    std::size_t from_lane = 0;
-    for (const std::size_t end : ends) {
-      out.sequences.emplace_back(lanes.begin() + static_cast<std::ptrdiff_t>(from_lane),
-                                 lanes.begin() + static_cast<std::ptrdiff_t>(end));
-      from_lane = end;
-    }
-    return out;
   }
 #if MAPD_EXCEPTIONS
-  LaneSequences lane_sequences(PositionOnLane from, double distance, std::uint8_t vehicle, bool ahead,
-                               Scratch& scratch) const {
+  Reach lane_sequences(PositionOnLane from, double distance, std::uint8_t vehicle, bool ahead, Scratch& scratch) const {
     return try_lane_sequences(from, distance, vehicle, ahead, scratch).value();
   }
+  std::optional<std::vector<LaneId>> next_sequence(Scratch& scratch) const { return try_next_sequence(scratch).value(); }
 #endif
 
   /// What converts between this map's inertial frame and WGS 84.

@@ -19,10 +19,8 @@ pub const MAPD_YIELDS_YIELDS: u8 = 0;
 pub const MAPD_YIELDS_PRIORITY: u8 = 1;
 /// `yields` of a conflict: lights decide.
 pub const MAPD_YIELDS_LIGHTS: u8 = 2;
-/// `yields` of a conflict: the file's priorities say nothing about the two.
-pub const MAPD_YIELDS_OPEN: u8 = 3;
-/// `yields` of a conflict: the file does not say, and a rule of the road would have to.
-pub const MAPD_YIELDS_UNKNOWN: u8 = 4;
+/// `yields` of a conflict: the file does not say. A rule of the road may; the reason names it.
+pub const MAPD_YIELDS_UNKNOWN: u8 = 3;
 
 /// A place where the traffic of another lane meets a path.
 #[repr(C)]
@@ -94,7 +92,6 @@ fn yields_code(yields: Yields) -> u8 {
         Yields::Yields => MAPD_YIELDS_YIELDS,
         Yields::Priority => MAPD_YIELDS_PRIORITY,
         Yields::Lights => MAPD_YIELDS_LIGHTS,
-        Yields::Open => MAPD_YIELDS_OPEN,
         _ => MAPD_YIELDS_UNKNOWN,
     }
 }
@@ -129,7 +126,6 @@ impl From<&mapd_path_conflict> for PathConflict {
                 MAPD_YIELDS_YIELDS => Yields::Yields,
                 MAPD_YIELDS_PRIORITY => Yields::Priority,
                 MAPD_YIELDS_LIGHTS => Yields::Lights,
-                MAPD_YIELDS_OPEN => Yields::Open,
                 _ => Yields::Unknown,
             },
             reason: RelationReason::from_code(one.reason),

@@ -383,7 +383,7 @@ pub unsafe extern "C" fn mapd_view_alternatives(
 /// # Safety
 ///
 /// As [`List::write`], of both.
-unsafe fn tell_reach(
+pub(crate) unsafe fn tell_reach(
     reach: &Reach,
     pieces: List<mapd_reached_piece>,
     links: List<mapd_reach_link>,

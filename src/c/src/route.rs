@@ -3,9 +3,11 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::{mapd_junction_id, mapd_lane_id, mapd_node_id};
-use crate::list::{List, entries, finite, get_mut, put_raw, put_some};
+use crate::list::{List, entries, finite, get, get_mut, put_raw, put_some};
+use crate::request::{mapd_reach_link, tell_reach};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
+use crate::view_ways::mapd_reached_piece;
 use mapd_client::QueryError;
 use mapd_client::graph::LaneNode;
 use mapd_client::route::{
@@ -345,9 +347,8 @@ pub unsafe extern "C" fn mapd_reachable_to(
 }
 
 /// All sequences of lanes that a vehicle can follow from a place without changing lanes (`ahead` not 0), or on which it can have come there,
-/// until each is `distance` \[m\] long or ends. `out` gets the lanes of all sequences one behind the other, `ends` where each ends in `out`.
-/// `truncated`: 1 where there are more sequences than the 1,024 that are listed; null is fine. `mapd_reach` has each lane once, however many ways
-/// lead over it.
+/// until each is `distance` \[m\] long or ends: what they have in common, as `mapd_reach` writes it, each piece of a lane once. `mapd_next_sequence` tells them one
+/// by one. The lane of the place may be any; every other one must be open to the vehicle.
 ///
 /// Errors: as `mapd_route`.
 #[unsafe(no_mangle)]
@@ -358,33 +359,56 @@ pub unsafe extern "C" fn mapd_lane_sequences(
     vehicle: u8,
     ahead: u8,
     scratch: *mut mapd_scratch,
-    out: *mut mapd_lane_id,
+    out: *mut mapd_reached_piece,
     capacity: usize,
     count: *mut usize,
-    ends: *mut usize,
-    ends_capacity: usize,
-    ends_count: *mut usize,
-    truncated: *mut u8,
+    links: *mut mapd_reach_link,
+    link_capacity: usize,
+    link_count: *mut usize,
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
         answer(error, || {
+            get(link_count, "the count of links")?;
             let (map, vehicle) = (map_of(snapshot)?, vehicle_of(vehicle)?);
-            let found = &mut get_mut(scratch, "a scratch")?.sequences;
+            let mapd_scratch { route, sequences, sequence_is_due, .. } =
+                get_mut(scratch, "a scratch")?;
+            *sequence_is_due = false;
             if ahead != 0 {
-                map.lane_sequences_ahead(from.into(), distance, vehicle, found)?;
+                map.lane_sequences_ahead(from.into(), distance, vehicle, route, sequences)?;
             } else {
-                map.lane_sequences_behind(from.into(), distance, vehicle, found)?;
+                map.lane_sequences_behind(from.into(), distance, vehicle, route, sequences)?;
             }
-            put_raw(truncated, found.truncated.into())?;
-            let lanes = found.iter().flatten().map(|lane| (*lane).into());
-            let lanes = List { out, capacity, count }.write(lanes)?;
-            let at = found.iter().scan(0, |end, lanes| {
-                *end += lanes.len();
-                Some(*end)
-            });
-            let ends = List { out: ends, capacity: ends_capacity, count: ends_count }.write(at)?;
-            Ok(if lanes == mapd_code::OK { ends } else { lanes })
+            let links = List { out: links, capacity: link_capacity, count: link_count };
+            tell_reach(sequences.network(), List { out, capacity, count }, links)
+        })
+    }
+}
+
+/// The next of the sequences that the last `mapd_lane_sequences` with this scratch found: its lanes, from the one of the place on, in the direction in which it is
+/// followed. `MAPD_CODE_NONE` after the last one. After `MAPD_CODE_TOO_SMALL` the next call tells the same one. Their number doubles with each fork.
+///
+/// Errors: null where something is needed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_next_sequence(
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_lane_id,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let mapd_scratch { sequences, sequence_is_due, .. } = get_mut(scratch, "a scratch")?;
+            get(count, "the count")?;
+            if !*sequence_is_due && sequences.next_sequence().is_none() {
+                put_raw(count, 0)?;
+                return Ok(mapd_code::NONE);
+            }
+            let lanes = sequences.sequence().iter().map(|lane| (*lane).into());
+            let code = List { out, capacity, count }.write(lanes);
+            *sequence_is_due = !matches!(code, Ok(mapd_code::OK));
+            code
         })
     }
 }

@@ -30,6 +30,8 @@ pub struct mapd_scratch {
     pub(crate) places: Vec<PositionOnLane>,
     pub(crate) reached: Vec<Reached>,
     pub(crate) sequences: LaneSequences,
+    /// Whether the caller still has to get the sequence that was found last: its list was too small.
+    pub(crate) sequence_is_due: bool,
     pub(crate) signals_ahead: SignalsAhead,
     pub(crate) lines: Vec<LineAhead>,
     pub(crate) near: Vec<Nearest>,

@@ -83,7 +83,9 @@ int main(int argc, char** argv) {
   CHECK(route && *route && !(*route)->steps.empty());
   CHECK(route && *route && std::fabs(*map.try_steps_length((*route)->steps) - (*route)->sum.length) < 1e-9);
   const auto ahead = map.try_lane_sequences(places[0], 100.0, MAPD_VEHICLE_CLASS_PASSENGER_CAR, true, scratch);
-  CHECK(ahead && !ahead->sequences.empty() && ahead->sequences[0][0] == lane);
+  CHECK(ahead && !ahead->pieces.empty() && ahead->pieces[0].lane == lane);
+  const auto first = map.try_next_sequence(scratch);
+  CHECK(first && *first && (**first)[0] == lane);
   CHECK(mapd::word(MAPD_WORDS_LANE_TYPE, map.try_lane(lane)->kind) == "driving");
 
   const mapd::NearestOptions drivable{10.0, mapd::lane_types_drivable()};

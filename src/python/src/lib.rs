@@ -87,6 +87,7 @@ fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<path::Path>()?;
     m.add_class::<view::View>()?;
     m.add_class::<tracker::Tracker>()?;
+    m.add_class::<route::LaneSequences>()?;
     m.add_function(wrap_pyfunction!(map::open_archive, m)?)?;
     m.add_function(wrap_pyfunction!(compile::read_file, m)?)?;
     m.add_function(wrap_pyfunction!(along::outline, m)?)?;

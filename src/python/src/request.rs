@@ -105,6 +105,15 @@ pub(crate) fn reach<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let mut found = Reach::default();
     py.detach(|| search(&mut RouteScratch::default(), &mut found)).map_err(routing)?;
+    network_result(py, held, &found)
+}
+
+/// What is reached, and how one goes on from each, as Python has it.
+pub(crate) fn network_result<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    found: &Reach,
+) -> PyResult<Bound<'py, PyAny>> {
     let (mut from, mut to, mut enter) = (Vec::new(), Vec::new(), Vec::new());
     for number in 0..found.reached().len() {
         for link in found.links(number) {

@@ -5,16 +5,17 @@ use crate::errors::{query, routing};
 use crate::held::{Held, content, id};
 use crate::input::{column_of_any, place_of, vehicle_of};
 use crate::lane::Lane;
+use crate::request::network_result;
 use crate::signal::Signal;
 use mapd_client::graph::LaneNode;
 use mapd_client::route::{
-    CostBound, Enter, LaneSequences, Reached, Route, RouteCost, RouteScratch, RouteStep,
-    ShortestLength, ShortestTime, WithFactors,
+    CostBound, Enter, Reached, Route, RouteCost, RouteScratch, RouteStep, ShortestLength,
+    ShortestTime, WithFactors,
 };
 use mapd_client::signals::SignalsAhead;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// What is kept small.
 enum Plain {
@@ -212,33 +213,56 @@ pub(crate) fn pieces_result<'py>(
     columns(py, "Reached", all, None)
 }
 
-/// Every way on without a change of lane.
-pub(crate) fn sequences<'py>(
-    py: Python<'py>,
-    held: &Arc<Held>,
-    start: &Bound<'py, PyAny>,
-    distance: f64,
-    vehicle: &str,
-) -> PyResult<Bound<'py, PyAny>> {
-    let map = held.map();
-    let (start, vehicle) = (place_of(map, start)?, vehicle_of(vehicle)?);
-    let mut found = LaneSequences::default();
-    map.lane_sequences_ahead(start, distance, vehicle, &mut found).map_err(query)?;
-    sequences_result(py, held, &found)
+/// All sequences of lanes ahead of a place, or behind it, without changes of lane. Iterate over it to get one by one, each a list of lanes; their number doubles with each fork.
+#[pyclass(frozen, module = "mapd")]
+pub(crate) struct LaneSequences {
+    held: Arc<Held>,
+    found: Mutex<mapd_client::route::LaneSequences>,
 }
 
-/// Sequences of lanes as Python has them.
-pub(crate) fn sequences_result<'py>(
-    py: Python<'py>,
-    held: &Arc<Held>,
-    found: &LaneSequences,
-) -> PyResult<Bound<'py, PyAny>> {
-    let lanes = |ids: &[mapd_client::LaneId]| {
-        ids.iter().map(|id| Lane::new(held, id.row())).collect::<Vec<_>>()
-    };
-    let sequences: Vec<_> = found.iter().map(lanes).collect();
-    let fields = fields!(py, sequences = sequences, truncated = found.truncated);
-    result(py, "LaneSequences", &fields)
+impl LaneSequences {
+    /// Finds them.
+    pub(crate) fn new(
+        py: Python<'_>,
+        held: &Arc<Held>,
+        place: &Bound<'_, PyAny>,
+        distance: f64,
+        vehicle: &str,
+        ahead: bool,
+    ) -> PyResult<Self> {
+        let map = held.map();
+        let (place, vehicle) = (place_of(map, place)?, vehicle_of(vehicle)?);
+        let (mut scratch, mut found) = (RouteScratch::default(), Default::default());
+        let result = py.detach(|| {
+            if ahead {
+                map.lane_sequences_ahead(place, distance, vehicle, &mut scratch, &mut found)
+            } else {
+                map.lane_sequences_behind(place, distance, vehicle, &mut scratch, &mut found)
+            }
+        });
+        result.map_err(query)?;
+        Ok(Self { held: Arc::clone(held), found: Mutex::new(found) })
+    }
+}
+
+#[pymethods]
+impl LaneSequences {
+    fn __iter__(this: PyRef<'_, Self>) -> PyRef<'_, Self> {
+        this
+    }
+
+    fn __next__(&self) -> Option<Vec<Lane>> {
+        let mut found = self.found.lock().unwrap_or_else(PoisonError::into_inner);
+        let lanes = found.next_sequence()?;
+        Some(lanes.iter().map(|id| Lane::new(&self.held, id.row())).collect())
+    }
+
+    /// What all of them lead over, each piece of a lane once, nearest first; its size grows with the map ahead, not with the number of sequences.
+    #[getter]
+    fn network<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let found = self.found.lock().unwrap_or_else(PoisonError::into_inner);
+        network_result(py, &self.held, found.network())
+    }
 }
 
 /// Signals that one comes to without a change of lane.

@@ -290,8 +290,9 @@ def test_ahead(asked: Asked) -> None:
 def test_sequences(asked: Asked) -> None:
     for question in asked.kinds["sequences"]:
         s, reach = question.f(1, 2)
-        found = asked.map.lane_sequences_ahead((question.numbers[0], s), reach).sequences
-        assert [len(found), *(number for one in found for number in lanes(one))] == question.answer
+        found = asked.map.lane_sequences_ahead((question.numbers[0], s), reach)
+        sizes = [len(found.network.pieces.lane), len(found.network.links.to)]
+        assert [*sizes, *(number for one in found for number in lanes(one))] == question.answer
 
 
 def route_of(asked: Asked, question: Question) -> mapd.Route | None:

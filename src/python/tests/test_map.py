@@ -118,7 +118,7 @@ def test_routes_and_what_can_be_reached(town: mapd.Map) -> None:
     assert town.route(("1:0:-1", 1.0), (goal.lane.id, goal.s), by="time", lane_change=1.0) is not None
     reached = town.reachable(start, route.length + 100.0)
     assert goal.lane.id in reached.lane and (np.diff(reached.cost) >= 0).all()
-    for sequence in town.lane_sequences_ahead(start, 200.0).sequences:
+    for sequence in town.lane_sequences_ahead(start, 200.0):
         assert sequence[0] == start.lane
     with pytest.raises(TypeError, match="place"):
         town.route("1:0:-1", goal)  # type: ignore[arg-type]
@@ -186,7 +186,7 @@ def test_steps_of_lanes_are_those_of_a_route(town: mapd.Map) -> None:
     steps = town.steps_of_lanes([lane, after], start, goal)
     assert [step.lane for step in steps] == [lane, after] and (steps[0].s_from, steps[-1].s_to) == (start, goal)
     assert town.next_lane_change(steps, 0, (lane, start)) is None and town.signals_along(steps) == []
-    assert [after, lane] in [one[:2] for one in town.lane_sequences_behind((after, goal), after.length + 1.0).sequences]
+    assert [after, lane] in [one[:2] for one in town.lane_sequences_behind((after, goal), after.length + 1.0)]
     with pytest.raises(mapd.PathError, match="1"):
         town.steps_of_lanes([after, lane], goal, start)
     with pytest.raises(mapd.NotTrustedError):

@@ -83,7 +83,7 @@ def test_movement(asked: Asked) -> None:
             assert code("relation", one.relation) == relation and code("relation_reason", one.reason) == reason
         assert all(one.basis != "rule" for one in ways)
         by_rule = [one for one in own.right_of_way("DE") if one.basis == "rule"]
-        assert all(one.relation in ("yields", "priority", "open") for one in by_rule)
+        assert all(one.relation in ("yields", "priority") for one in by_rule)
         written = [one.relation for one in ways if one.basis == "written"]
         assert written == [one.relation for one in own.right_of_way("DE") if one.basis == "written"]
         with pytest.raises(ValueError, match="XX"):

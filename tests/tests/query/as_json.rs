@@ -80,7 +80,7 @@ const NOT_WRITTEN: &[(&str, &str)] = &[
 /// Structs that can be written and not read back, and why; besides those that borrow.
 const NOT_READ: &[(&str, &str)] = &[
     ("ConflictApproach", "it has numbers of rows"),
-    ("LaneSequences", "buffers of a query, written as lists"),
+    ("LaneSequences", "buffers of a query, written as the network"),
     ("PathSegment", "it has numbers of rows"),
     ("PoseMatches", "buffers of a query, written as lists"),
     ("Reach", "buffers of a query, written as lists"),

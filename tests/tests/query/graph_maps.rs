@@ -554,26 +554,36 @@ fn sequences_follow_every_way() {
     let snapshot = named("merge and split");
     let map = snapshot.map();
     let car = VehicleClass::PassengerCar;
-    let mut out = LaneSequences::default();
-    let keys = |out: &LaneSequences| {
+    let (mut scratch, mut out) = (RouteScratch::default(), LaneSequences::default());
+    let keys = |out: &mut LaneSequences| {
         let text = |lanes: &[_]| {
             let key = |lane: &_| map.lane(*lane).expect("known").key().to_string();
             lanes.iter().map(key).collect::<Vec<_>>().join(" ")
         };
-        out.iter().map(text).collect::<Vec<_>>()
+        let mut all = Vec::new();
+        while let Some(lanes) = out.next_sequence() {
+            all.push(text(lanes));
+        }
+        all
     };
-    map.lane_sequences_ahead(place(map, "1:0:-1", 10.0), 200.0, car, &mut out).expect("an answer");
-    assert_eq!(keys(&out), ["1:0:-1 1:1:-1 1:2:-1", "1:0:-1 1:1:-1 1:2:-2"]);
-    map.lane_sequences_ahead(place(map, "1:0:-1", 10.0), 60.0, car, &mut out).expect("an answer");
-    assert_eq!(keys(&out), ["1:0:-1 1:1:-1"]);
-    map.lane_sequences_behind(place(map, "1:2:-2", 120.0), 200.0, car, &mut out)
+    map.lane_sequences_ahead(place(map, "1:0:-1", 10.0), 200.0, car, &mut scratch, &mut out)
         .expect("an answer");
-    assert_eq!(keys(&out), ["1:2:-2 1:1:-1 1:0:-1", "1:2:-2 1:1:-1 1:0:-2"]);
+    assert_eq!(keys(&mut out), ["1:0:-1 1:1:-1 1:2:-1", "1:0:-1 1:1:-1 1:2:-2"]);
+    map.lane_sequences_ahead(place(map, "1:0:-1", 10.0), 60.0, car, &mut scratch, &mut out)
+        .expect("an answer");
+    assert_eq!(keys(&mut out), ["1:0:-1 1:1:-1"]);
+    map.lane_sequences_behind(place(map, "1:2:-2", 120.0), 200.0, car, &mut scratch, &mut out)
+        .expect("an answer");
+    assert_eq!(keys(&mut out), ["1:2:-2 1:1:-1 1:0:-1", "1:2:-2 1:1:-1 1:0:-2"]);
     // A ring goes round until the distance is reached: 2π · 38.25 m each time towards +s on the outer lane.
     let snapshot = named("ring road that links to itself");
     let map = snapshot.map();
-    map.lane_sequences_ahead(place(map, "1:0:-1", 0.0), 600.0, car, &mut out).expect("an answer");
-    assert_eq!(out.iter().map(<[_]>::len).collect::<Vec<_>>(), [3]);
+    map.lane_sequences_ahead(place(map, "1:0:-1", 0.0), 600.0, car, &mut scratch, &mut out)
+        .expect("an answer");
+    assert_eq!(out.next_sequence().map(<[_]>::len), Some(3));
+    assert_eq!((out.sequence().len(), out.next_sequence()), (3, None));
+    // The ring stands once, and what is left of it from the start on.
+    assert_eq!(out.network().reached().len(), 2);
 }
 
 #[test]

@@ -40,7 +40,6 @@ plain! {
 /// Structs whose public fields are plain, and why their layout is Rust's own.
 const OTHERS: &[(&str, &str)] = &[
     ("ConflictApproach", "it has numbers of rows, which are no part of the answer"),
-    ("LaneSequences", "its sequences are in buffers of its own"),
     ("PathSegment", "it has numbers of rows, which are no part of the answer"),
     ("Reached", "it has the number of a row, which is no part of the answer"),
     ("SignalAhead", "it has the number of a row, which is no part of the answer"),

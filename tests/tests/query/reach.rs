@@ -3,13 +3,14 @@
 use crate::routing::{ROUNDING, check_steps, places};
 use mapd_client::glam::DVec2;
 use mapd_client::{Map, QueryError};
-use mapd_query::LaneId;
+use mapd_query::graph::LaneNode;
 use mapd_query::route::{
     Enter, LaneSequences, PositionOnLane, Reach, RouteEnd, RouteError, RouteRequest, RouteScratch,
     ShortestLength, WithFactors,
 };
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
+use mapd_query::{LaneId, SRange};
 use mapd_tests::maps::{carried_and, found, open};
 use mapd_tests::{carried, shared};
 use std::collections::BTreeSet;
@@ -243,7 +244,7 @@ fn the_network_ahead_has_every_way_once() {
     }
 }
 
-/// On a town with many forks all that lies ahead is told, where a list of sequences ends.
+/// On a town with many forks all that lies ahead is told, and nothing twice.
 #[test]
 fn the_network_of_a_town_is_whole() {
     let Some(maps) = shared("maps") else {
@@ -251,47 +252,161 @@ fn the_network_of_a_town_is_whole() {
     };
     let snapshot = open(&maps.join("carla/Town05.xodr"));
     let map = snapshot.map();
-    let (mut most, mut truncated, mut sequences) = (0, 0, LaneSequences::default());
-    for (from, _) in places(map, CAR, 250) {
-        most = most.max(check_network(map, from, 1_500.0, &ON_ITS_LANE));
-        map.lane_sequences_ahead(from, 1_500.0, CAR, &mut sequences).expect("an answer");
-        truncated += usize::from(sequences.truncated);
-    }
-    assert!(most > 100 && truncated > 0, "{most} nodes, {truncated} lists that end");
+    let most = places(map, CAR, 250)
+        .into_iter()
+        .map(|(from, _)| check_network(map, from, 1_500.0, &ON_ITS_LANE));
+    let most = most.max();
+    assert!(most > Some(100), "{most:?} nodes");
 }
 
-/// Six hundred metres ahead on Town04: where the list of sequences is whole, its lanes are those of the network; where it ends, it says so.
+/// Sequences by plain recursion, at most so many; true if these are all.
+struct Recursion<'a> {
+    distance: f64,
+    ahead: bool,
+    most: usize,
+    nodes: Vec<LaneNode<'a>>,
+    found: Vec<Vec<LaneId>>,
+}
+
+impl<'a> Recursion<'a> {
+    fn go(&mut self, node: LaneNode<'a>, length: f64) -> bool {
+        self.nodes.push(node);
+        let next: Vec<_> = if self.ahead {
+            node.edges().filter_map(|edge| edge.target()).filter(|to| to.allows(CAR)).collect()
+        } else {
+            node.predecessors().filter(|from| from.allows(CAR)).collect()
+        };
+        let mut all = true;
+        if length >= self.distance || next.is_empty() {
+            all = self.found.len() < self.most;
+            if all {
+                let lanes = self.lanes();
+                self.found.push(lanes);
+            }
+        } else {
+            for one in next {
+                all = all && self.go(one, length + one.length());
+            }
+        }
+        self.nodes.pop();
+        all
+    }
+
+    /// Lanes of the nodes; one that goes on where the node before ends, in the same direction, is the same lane.
+    fn lanes(&self) -> Vec<LaneId> {
+        let ends = |node: &LaneNode<'_>| {
+            let SRange { low, high } = node.s_range();
+            if node.is_forward() == self.ahead { [low, high] } else { [high, low] }
+        };
+        let id = |node: &LaneNode<'_>| node.lane().expect("a lane").lane_id();
+        let mut lanes: Vec<LaneId> = Vec::new();
+        for (i, node) in self.nodes.iter().enumerate() {
+            let before = i.checked_sub(1).map(|before| &self.nodes[before]);
+            let is_same = before.is_some_and(|before| {
+                id(before) == id(node)
+                    && before.is_forward() == node.is_forward()
+                    && ends(before)[1] == ends(node)[0]
+            });
+            if !is_same {
+                lanes.push(id(node));
+            }
+        }
+        lanes
+    }
+}
+
+/// Compares the sequences from a place with those of plain recursion; how many there are, and whether these are all.
+fn check_sequences(
+    map: Map<'_>,
+    from: PositionOnLane,
+    (distance, ahead, most): (f64, bool, usize),
+    scratch: &mut RouteScratch,
+    sequences: &mut LaneSequences,
+) -> (usize, bool) {
+    if ahead {
+        map.lane_sequences_ahead(from, distance, CAR, scratch, sequences).expect("an answer");
+    } else {
+        map.lane_sequences_behind(from, distance, CAR, scratch, sequences).expect("an answer");
+    }
+    let mut plain = Recursion { distance, ahead, most, nodes: Vec::new(), found: Vec::new() };
+    let lane = map.lane(from.lane).expect("a lane");
+    let mut all = true;
+    for way in [true, false] {
+        let Some(node) = lane.node_at(from.s, way) else { continue };
+        let SRange { low, high } = node.s_range();
+        let end = if node.is_forward() == ahead { high } else { low };
+        all = all && plain.go(node, lane.length_between(from.s, end));
+    }
+    let (mut count, mut seen) = (0, BTreeSet::new());
+    while let Some(lanes) = sequences.next_sequence() {
+        if count == plain.found.len() {
+            assert!(!all, "more than {count}");
+            break;
+        }
+        assert_eq!(lanes, plain.found[count], "number {count}");
+        seen.extend(lanes.iter().copied());
+        count += 1;
+    }
+    assert_eq!(count, plain.found.len());
+    let network: BTreeSet<_> = sequences.network().reached().iter().map(|own| own.lane).collect();
+    assert!(if all { seen == network } else { seen.is_subset(&network) });
+    (count, all)
+}
+
 #[test]
-fn sequences_of_town04_are_whole_or_say_that_they_end() {
+fn sequences_are_those_of_plain_recursion() {
+    let (mut scratch, mut sequences) = (RouteScratch::default(), LaneSequences::default());
+    for file in carried_and(&["sumo/lefthand_netconvert", "esmini/multi_intersections"]) {
+        let snapshot = open(&file);
+        let map = snapshot.map();
+        for (from, _) in places(map, CAR, 200) {
+            for ahead in [true, false] {
+                let limits = (250.0, ahead, 5_000);
+                let (count, _) = check_sequences(map, from, limits, &mut scratch, &mut sequences);
+                assert!(count > 0);
+            }
+        }
+    }
+}
+
+/// Six hundred metres ahead on Town04: every sequence is told, also where there are more than a list would hold.
+#[test]
+fn sequences_of_town04_are_complete() {
     let Some(town) = found("maps/Town04.xodr") else { return };
     const AHEAD: f64 = 600.0;
     let snapshot = open(&town);
     let map = snapshot.map();
     let (mut scratch, mut network) = (RouteScratch::default(), Reach::default());
     let mut sequences = LaneSequences::default();
-    let (mut whole, mut truncated, mut most) = (0, 0, 0);
+    let (mut most, mut pieces, mut cut) = (0, 0, 0);
     for (from, _) in places(map, CAR, 400) {
-        map.lane_sequences_ahead(from, AHEAD, CAR, &mut sequences).expect("an answer");
+        let limits = (AHEAD, true, 100_000);
+        let (count, all) = check_sequences(map, from, limits, &mut scratch, &mut sequences);
+        (most, cut) = (most.max(count), cut + usize::from(!all));
+        pieces = pieces.max(sequences.network().reached().len());
         let starts = [RouteEnd::from(from)];
         let cost = ON_ITS_LANE;
         let goals = [];
         let request =
             RouteRequest { starts: &starts, goals: &goals, vehicle: CAR, cost: &cost, avoid: &[] };
         map.reach(&request, AHEAD, &mut scratch, &mut network).expect("an answer");
-        let lanes = |ids: &mut dyn Iterator<Item = LaneId>| ids.collect::<BTreeSet<_>>();
-        let ahead = lanes(&mut network.reached().iter().map(|own| own.lane));
-        let listed = lanes(&mut sequences.iter().flatten().copied());
-        let all: BTreeSet<&[LaneId]> = sequences.iter().collect();
-        assert_eq!(all.len(), sequences.iter().len(), "a sequence stands twice");
-        most = most.max(ahead.len());
-        if sequences.truncated {
-            assert_eq!(all.len(), 1_024);
-            assert!(listed.is_subset(&ahead));
-            truncated += 1;
-        } else {
-            assert_eq!(listed, ahead);
-            whole += 1;
+        let (own, other) = (sequences.network(), &network);
+        assert_eq!(own.reached().len(), other.reached().len());
+        for (number, one) in own.reached().iter().enumerate() {
+            let same = other.reached().iter().position(|o| {
+                (o.node, o.s_from) == (one.node, one.s_from) && (o.cost - one.cost).abs() < 1e-3
+            });
+            let same = same.unwrap_or_else(|| panic!("{one:?} is not reached"));
+            assert!((one.s_to - other.reached()[same].s_to).abs() < 1e-3, "{one:?}");
+            let lane = map.lane(one.lane).expect("a lane");
+            let end = one.cost + lane.length_between(one.s_from, one.s_to);
+            if end < AHEAD - 1e-3 {
+                assert_eq!(own.links(number).len(), other.links(same).len(), "{one:?}");
+            }
         }
+        let limits = (AHEAD, false, 20_000);
+        check_sequences(map, from, limits, &mut scratch, &mut sequences);
     }
-    assert!(whole > 0 && most > 20, "{whole} whole, {truncated} that end, {most} lanes");
+    println!("at most {most} sequences over {pieces} pieces of lanes; {cut} places with more");
+    assert!(most > 1_024 && pieces > 20, "{most} sequences over {pieces} pieces");
 }

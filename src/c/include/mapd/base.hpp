@@ -518,12 +518,6 @@ struct Outline {
   bool is_simple = false;
 };
 
-/// Sequences of lanes.
-struct LaneSequences {
-  std::vector<std::vector<LaneId>> sequences;
-  bool truncated = false;
-};
-
 /// Converts between a map's inertial frame and WGS 84.
 class Projector : public detail::Owner<mapd_projector, mapd_projector_close> {
  public:

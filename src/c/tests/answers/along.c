@@ -2,7 +2,7 @@
 #include "c.h"
 
 enum { CHANGE = 15 };
-static const char *const YIELDS[] = {"yields", "priority", "lights", "open", "unknown"};
+static const char *const YIELDS[] = {"yields", "priority", "lights", "unknown"};
 static const char *const EDGES[] = {"lane", "kerb", "end"};
 
 static uint64_t word_hash(uint32_t vocabulary, uint16_t code) {

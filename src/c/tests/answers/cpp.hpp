@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint8_t car = MAPD_VEHICLE_CLASS_PASSENGER_CAR;
 /// What the map's ids are bound to. Files have its lower half above the row, as the number of an id.
 std::uint64_t content = 0;
-constexpr const char* yields[] = {"yields", "priority", "lights", "open", "unknown"};
+constexpr const char* yields[] = {"yields", "priority", "lights", "unknown"};
 
 /// Numbers of an answer.
 class Numbers {

@@ -1,7 +1,7 @@
 /* Questions about routes and paths. */
 #include "c.h"
 
-static const char *const YIELDS[] = {"yields", "priority", "lights", "open", "unknown"};
+static const char *const YIELDS[] = {"yields", "priority", "lights", "unknown"};
 
 /* A route by length or time. 0: none. */
 static int route(const uint64_t *q, mapd_route_sum *sum, mapd_route_step *steps, size_t *count) {

@@ -137,16 +137,18 @@ void lanes(const char *kind, const uint64_t *q, struct numbers *out) {
       add_f(out, all[i].s);
     }
   } else if (strcmp(kind, "sequences") == 0) {
+    static mapd_reached_piece pieces[MOST];
+    static mapd_reach_link links[MOST];
     static mapd_lane_id all[MOST];
-    static size_t ends[MOST];
-    size_t ends_count, i = 0;
+    size_t link_count;
     const mapd_position_on_lane place = {lane, as_f(q[1])};
-    must(mapd_lane_sequences(map, place, as_f(q[2]), CAR, 1, scratch, all, MOST, &count, ends, MOST, &ends_count, NULL,
+    must(mapd_lane_sequences(map, place, as_f(q[2]), CAR, 1, scratch, pieces, MOST, &count, links, MOST, &link_count,
                              &error));
-    add_u(out, ends_count);
-    for (size_t k = 0; k < ends_count; ++k) {
-      add_u(out, ends[k] - i);
-      for (; i < ends[k]; ++i) add_u(out, lane_bits(all[i]));
+    add_u(out, count);
+    add_u(out, link_count);
+    while (is(mapd_next_sequence(scratch, all, MOST, &count, &error))) {
+      add_u(out, count);
+      for (size_t i = 0; i < count; ++i) add_u(out, lane_bits(all[i]));
     }
   } else if (strcmp(kind, "junction") == 0) {
     const mapd_position_on_lane place = {lane, as_f(q[1])};

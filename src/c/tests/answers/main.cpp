@@ -172,8 +172,8 @@ class Answerer {
   void sequences(Question& q, Numbers& a) {
     const auto from = q.place();
     const auto all = map_.lane_sequences(from, q.f(), car, true, scratch_);
-    a.u(all.sequences.size());
-    for (const auto& one : all.sequences) a.ids(one);
+    a.u(all.pieces.size()).u(all.links.size());
+    while (const auto one = map_.next_sequence(scratch_)) a.ids(*one);
   }
   void junction(Question& q, Numbers& a) {
     const auto from = q.place();

@@ -53,7 +53,6 @@ from ._results import (
     LaneGraph,
     LaneLine,
     LanePosition,
-    LaneSequences,
     LaneSignal,
     LineAhead,
     Lines,
@@ -122,6 +121,7 @@ __all__ = [
     "Path",
     "View",
     "Tracker",
+    "LaneSequences",
     "open_archive",
     "read_file",
     "outline",
@@ -606,7 +606,7 @@ class Map:
     def lane_sequences_ahead(
         self, start: _Place, distance: float, *, vehicle: str = "passengerCar"
     ) -> LaneSequences:
-        """All sequences of lanes that one can follow without a change of lane, until each is `distance` [m] long; at most 1,024."""
+        """All sequences of lanes that one can follow without a change of lane, until each is `distance` [m] long or ends."""
     def next_junction(self, start: _Place, distance: float, *, vehicle: str = "passengerCar") -> tuple[Junction, float] | None:
         """The next junction ahead of a place and the distance to it [m]; 0 on a connecting road, None if there is none within `distance` [m].
 
@@ -1220,6 +1220,15 @@ class View:
         """As Map.match_pose: a lane that is closed to the vehicle now has the prior of closed ones."""
 
 @final
+class LaneSequences:
+    """All sequences of lanes ahead of a place, or behind it, without changes of lane. Iterate over it to get one by one, each a list of lanes; their number doubles with each fork."""
+
+    def __iter__(self) -> LaneSequences: ...
+    def __next__(self) -> list[Lane]: ...
+    @property
+    def network(self) -> Reach:
+        """What all of them lead over, each piece of a lane once, nearest first; its size grows with the map ahead, not with the number of sequences."""
+
 class Tracker:
     """The lane of a vehicle that drives, from fix to fix (docs/localisation.md). Threads that share it wait for each other.
 

@@ -545,7 +545,7 @@ class PathConflict(NamedTuple):
     other_end: float
     """The common place on the other lane's road [m], the smaller s first."""
     kind: str
-    yields: Literal["yields", "priority", "lights", "open", "unknown"]
+    yields: Literal["yields", "priority", "lights", "unknown"]
     """Who has priority, according to the file, else to the rules of the country that is named."""
     reason: str
     basis: Literal["written", "rule", "unknown"]
@@ -583,14 +583,6 @@ class Reach(NamedTuple):
     pieces: Reached
     links: ReachLinks
     """How one goes on from each piece to others; against driving direction where goals were given."""
-
-
-class LaneSequences(NamedTuple):
-    """All ways on without a change of lane, each a list of lanes."""
-
-    sequences: list[list[Lane]]
-    truncated: bool
-    """Whether there are more than the 1,024 that are listed; `Map.reach` has each lane once, however many ways lead over it."""
 
 
 class LaneLine(NamedTuple):

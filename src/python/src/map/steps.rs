@@ -4,10 +4,10 @@ use super::Map;
 use crate::along::line;
 use crate::batch::{fields, result};
 use crate::errors::{query, raise};
-use crate::input::{lanes_of, place_of, vehicle_of};
+use crate::input::{lanes_of, place_of};
 use crate::path::steps_of;
-use crate::route::{ahead_result, sequences_result, step_result};
-use mapd_client::route::{LaneSequences, next_lane_change};
+use crate::route::{LaneSequences, ahead_result, step_result};
+use mapd_client::route::next_lane_change;
 use mapd_client::signals::SignalsAhead;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -79,16 +79,13 @@ impl Map {
 
     /// As lane_sequences_ahead, of ways that lead to a place: each sequence begins with its lane and goes back against driving direction.
     #[pyo3(signature = (goal, distance, *, vehicle = "passengerCar"))]
-    fn lane_sequences_behind<'py>(
+    fn lane_sequences_behind(
         &self,
-        py: Python<'py>,
-        goal: &Bound<'py, PyAny>,
+        py: Python<'_>,
+        goal: &Bound<'_, PyAny>,
         distance: f64,
         vehicle: &str,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        let (goal, vehicle) = (place_of(self.map(), goal)?, vehicle_of(vehicle)?);
-        let mut found = LaneSequences::default();
-        self.map().lane_sequences_behind(goal, distance, vehicle, &mut found).map_err(query)?;
-        sequences_result(py, &self.0, &found)
+    ) -> PyResult<LaneSequences> {
+        LaneSequences::new(py, &self.0, goal, distance, vehicle, false)
     }
 }

@@ -4,6 +4,7 @@ use super::Map;
 use crate::errors::query;
 use crate::input::vehicle_of;
 use crate::junction::Junction;
+use crate::route::LaneSequences;
 use mapd_client::path::{LaneChange, PathOptions};
 use mapd_client::route::AlternativeOptions;
 use pyo3::prelude::*;
@@ -186,16 +187,16 @@ impl Map {
         crate::route::reachable(py, &self.0, goal, limit, vehicle, &cost, true)
     }
 
-    /// All sequences of lanes that one can follow without a change of lane, until each is `distance` [m] long; at most 1,024.
+    /// All sequences of lanes that one can follow without a change of lane, until each is `distance` [m] long or ends.
     #[pyo3(signature = (start, distance, *, vehicle = "passengerCar"))]
-    fn lane_sequences_ahead<'py>(
+    fn lane_sequences_ahead(
         &self,
-        py: Python<'py>,
-        start: &Bound<'py, PyAny>,
+        py: Python<'_>,
+        start: &Bound<'_, PyAny>,
         distance: f64,
         vehicle: &str,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        crate::route::sequences(py, &self.0, start, distance, vehicle)
+    ) -> PyResult<LaneSequences> {
+        LaneSequences::new(py, &self.0, start, distance, vehicle, true)
     }
 
     /// The next junction ahead of a place and the distance to it [m]; 0 on a connecting road, None if there is none within `distance` [m].

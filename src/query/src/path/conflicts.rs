@@ -24,20 +24,17 @@ pub enum Yields {
     Priority,
     /// Lights decide.
     Lights,
-    /// The file's priorities say nothing about the two.
-    Open,
-    /// The file does not say, and a rule of the road would have to: rules differ between countries and kinds of roads.
+    /// The file does not say. A rule of the road may, which differs between countries and kinds of roads: the reason names it.
     Unknown,
 }
 
 impl Yields {
-    /// `yields`, `priority`, `lights`, `open` or `unknown`.
+    /// `yields`, `priority`, `lights` or `unknown`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Yields => "yields",
             Self::Priority => "priority",
             Self::Lights => "lights",
-            Self::Open => "open",
             Self::Unknown => "unknown",
         }
     }
@@ -54,7 +51,6 @@ impl Yields {
             Relation::Yields => Self::Yields,
             Relation::Priority => Self::Priority,
             Relation::Lights => Self::Lights,
-            Relation::Open => Self::Open,
             _ => Self::Unknown,
         }
     }

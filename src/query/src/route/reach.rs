@@ -32,17 +32,17 @@ pub struct Reached {
     /// Changes of lane on this way.
     pub lane_changes: u32,
     #[cfg_attr(feature = "serde", serde(skip))]
-    number: u32,
+    pub(super) number: u32,
 }
 
 /// What can be reached, and how one goes on from each to the others: the network ahead, in which ways that meet again are told once. In
 /// buffers that are used again.
 #[derive(Clone, Debug, Default)]
 pub struct Reach {
-    reached: Vec<Reached>,
-    links: Vec<ReachLink>,
+    pub(super) reached: Vec<Reached>,
+    pub(super) links: Vec<ReachLink>,
     /// First link of each, and the end.
-    first: Vec<u32>,
+    pub(super) first: Vec<u32>,
 }
 
 /// How one goes on from one node that is reached to another.
@@ -67,6 +67,20 @@ impl Reach {
     pub fn links(&self, number: usize) -> &[ReachLink] {
         let ends = self.first.get(number).zip(self.first.get(number + 1));
         ends.and_then(|(a, b)| self.links.get(*a as usize..*b as usize)).unwrap_or(&[])
+    }
+
+    pub(super) fn with_capacity(pieces: usize) -> Self {
+        Self {
+            reached: Vec::with_capacity(pieces),
+            links: Vec::with_capacity(pieces),
+            first: Vec::with_capacity(pieces),
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.reached.clear();
+        self.links.clear();
+        self.first.clear();
     }
 }
 
@@ -146,9 +160,8 @@ pub(crate) fn network<'a>(
     scratch: &mut RouteScratch,
     out: &mut Reach,
 ) -> Result<(), RouteError> {
+    out.clear();
     let Reach { reached, links, first } = out;
-    links.clear();
-    first.clear();
     if ahead {
         reach(ways, request, limit, scratch, reached)?;
     } else {
@@ -206,18 +219,18 @@ pub(crate) fn network<'a>(
 }
 
 /// What is reached of a node: all of it, or as far as a limit lasts.
-struct ReachedPart<'n, 'a> {
-    node: &'n LaneNode<'a>,
-    number: u32,
-    /// s between which it would be driven, in driving direction.
-    s: [f64; 2],
-    cost: f64,
-    lane_changes: u32,
+pub(super) struct ReachedPart<'n, 'a> {
+    pub(super) node: &'n LaneNode<'a>,
+    pub(super) number: u32,
+    /// s between which it would be driven, in the direction in which it is followed.
+    pub(super) s: [f64; 2],
+    pub(super) cost: f64,
+    pub(super) lane_changes: u32,
 }
 
 impl<'a> ReachedPart<'_, 'a> {
     /// As far as what is left to pay lasts, where all of it costs `pass`.
-    fn cut(self, rest: f64, pass: f64) -> Option<Reached> {
+    pub(super) fn cut(self, rest: f64, pass: f64) -> Option<Reached> {
         let lane = self.node.lane()?;
         let [s_from, mut s_to] = self.s;
         if pass > rest {

@@ -1,7 +1,9 @@
 //! Lanes one after the other: all sequences ahead or behind, and the next junction.
 
 use super::ends::{lane_of, price};
-use super::{PositionOnLane, ShortestLength};
+use super::reach::ReachedPart;
+use super::scratch::{Open, RouteScratch};
+use super::{Enter, PositionOnLane, Reach, ReachLink, Reached, ShortestLength};
 use crate::error::QueryError;
 use crate::extents::SRange;
 use crate::graph::LaneNode;
@@ -11,21 +13,45 @@ use crate::map::Map;
 use crate::route::RouteCost;
 use mapd_archive::VehicleClass;
 
-/// Sequences that are listed at most: behind many forks they double and double again.
-const MOST_SEQUENCES: usize = 1024;
-/// Lanes that one sequence follows at most: a loop of no length would never reach its distance.
+/// Lanes that are followed to the next junction at most: a damaged archive might lead round in a circle.
 const MOST_LANES: usize = 4096;
+/// A cycle of lanes this long at most is not followed round `[m]`: no network may have one (`mapd:graph.no_progress`), and nobody would get far on it.
+const NO_PROGRESS: f64 = 1.0;
 
-/// Sequences of lanes, in buffers that are used again.
+/// Sequences of lanes: as a network in which what they have in common stands once, and one by one. In buffers that are used again.
 #[derive(Clone, Default)]
 pub struct LaneSequences {
+    network: Reach,
+    /// What is driven of each piece of the network `[m]`.
+    lengths: Vec<f64>,
+    /// Pieces from which sequences start, the first ones of the network.
+    starts: usize,
+    /// How far the sequences lead `[m]`.
+    distance: f64,
+    /// Whether they are followed in driving direction.
+    ahead: bool,
+    /// Starts that are done or being followed.
+    begun: usize,
+    /// The sequence that is being followed.
+    followed: Vec<Followed>,
+    /// Length of the followed sequence where it enters each piece for the last time; −∞ where it does not.
+    entered: Vec<f64>,
+    /// Lanes of the sequence that was found last.
     lanes: Vec<LaneId>,
-    /// End of each sequence in `lanes`.
-    ends: Vec<usize>,
-    /// Whether there are more sequences than the 1,024 that are listed. [`Map::reach`] has each lane once, however many ways lead over it.
-    pub truncated: bool,
-    /// Nodes of the sequence that is being followed, with the distance at their end and the next edge to try.
-    open: Vec<(u32, f64, usize)>,
+}
+
+/// A piece of the sequence that is being followed.
+#[derive(Clone, Copy)]
+struct Followed {
+    piece: usize,
+    /// Of the sequence up to its end `[m]`.
+    length: f64,
+    /// Links that have been tried.
+    tried: usize,
+    /// Whether a sequence goes on from here.
+    goes_on: bool,
+    /// What `entered` said before.
+    entered: f64,
 }
 
 /// The next junction on a lane's way.
@@ -40,36 +66,126 @@ pub struct NextJunction {
 }
 
 impl LaneSequences {
-    /// Buffers that need not grow for this number of lanes in all sequences.
-    pub fn with_capacity(lanes: usize) -> Self {
+    /// Buffers that need not grow for this many pieces of lanes that lie within the distance, with as many links.
+    pub fn with_capacity(pieces: usize) -> Self {
         Self {
-            lanes: Vec::with_capacity(lanes),
-            ends: Vec::with_capacity(lanes),
-            open: Vec::with_capacity(lanes),
-            truncated: false,
+            network: Reach::with_capacity(pieces),
+            lengths: Vec::with_capacity(pieces),
+            followed: Vec::with_capacity(pieces),
+            entered: Vec::with_capacity(pieces),
+            lanes: Vec::with_capacity(pieces),
+            ..Self::default()
         }
     }
 
-    /// The sequences, each from the lane of the start on, in the direction in which it was followed.
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[LaneId]> {
-        (0..self.ends.len()).map(|i| {
-            let from = i.checked_sub(1).and_then(|i| self.ends.get(i)).copied().unwrap_or(0);
-            self.ends.get(i).and_then(|to| self.lanes.get(from..*to)).unwrap_or(&[])
-        })
+    /// What all sequences lead over, each piece of a lane once, however many of them do, nearest first; and the links by which they lead on, in the
+    /// direction in which they are followed. Its size grows with the map ahead, not with the number of sequences.
+    pub fn network(&self) -> &Reach {
+        &self.network
     }
 
-    fn begin(&mut self) {
+    /// The next sequence, from the lane of the start on, in the direction in which it is followed; none after the last one. At a fork that leads on by
+    /// the first link comes before that by the second.
+    ///
+    /// Sequences are made while they are asked for: their number doubles with each fork, and there is no limit to it.
+    pub fn next_sequence(&mut self) -> Option<&[LaneId]> {
+        loop {
+            let Some(last) = self.followed.last_mut() else {
+                if self.begun >= self.starts {
+                    self.lanes.clear();
+                    return None;
+                }
+                self.begun += 1;
+                self.enter(self.begun - 1, 0.0);
+                continue;
+            };
+            let Followed { piece, length, tried, .. } = *last;
+            let links = self.network.links(piece);
+            if let Some(link) = links.get(tried).filter(|_| length < self.distance) {
+                last.tried += 1;
+                let next = link.to;
+                let before = self.entered.get(next).copied().unwrap_or(length);
+                if length > before + NO_PROGRESS {
+                    last.goes_on = true;
+                    self.enter(next, length);
+                }
+                continue;
+            }
+            let ends = !last.goes_on;
+            if ends {
+                self.list();
+            }
+            if let Some(last) = self.followed.pop()
+                && let Some(own) = self.entered.get_mut(last.piece)
+            {
+                *own = last.entered;
+            }
+            if ends {
+                return Some(&self.lanes);
+            }
+        }
+    }
+
+    /// The sequence that [`Self::next_sequence`] found last; empty before the first and after the last one.
+    pub fn sequence(&self) -> &[LaneId] {
+        &self.lanes
+    }
+
+    /// Follows the sequence into a piece.
+    fn enter(&mut self, piece: usize, at: f64) {
+        let length = at + self.lengths.get(piece).copied().unwrap_or(f64::INFINITY);
+        let Some(own) = self.entered.get_mut(piece) else { return };
+        let entered = std::mem::replace(own, at);
+        self.followed.push(Followed { piece, length, tried: 0, goes_on: false, entered });
+    }
+
+    /// Lists the followed pieces' lanes, pieces of one lane as one.
+    fn list(&mut self) {
         self.lanes.clear();
-        self.ends.clear();
-        self.open.clear();
-        self.truncated = false;
+        let mut last: Option<&Reached> = None;
+        for own in self.followed.iter().filter_map(|one| self.network.reached().get(one.piece)) {
+            let is_same = last.is_some_and(|last| {
+                let [first, second] = if self.ahead { [last, own] } else { [own, last] };
+                (first.lane, first.forward) == (second.lane, second.forward)
+                    && first.number + 1 == second.number
+            });
+            if !is_same {
+                self.lanes.push(own.lane);
+            }
+            last = Some(own);
+        }
+    }
+
+    fn begin(&mut self, distance: f64, ahead: bool) {
+        self.network.clear();
+        self.lengths.clear();
+        self.followed.clear();
+        self.entered.clear();
+        self.lanes.clear();
+        (self.starts, self.begun, self.distance, self.ahead) = (0, 0, distance, ahead);
+    }
+
+    /// Adds a node that is entered at an end after a length, and of which another length is driven.
+    fn add(&mut self, node: &LaneNode<'_>, from: f64, passed: f64, length: f64) {
+        let SRange { low, high } = node.s_range();
+        let s = [from, if node.is_forward() == self.ahead { high } else { low }];
+        let cost = if self.ahead { passed } else { passed + length };
+        let part = ReachedPart { node, number: node.number, s, cost, lane_changes: 0 };
+        let Some(mut own) = part.cut(self.distance - passed, length) else { return };
+        if !self.ahead {
+            (own.s_from, own.s_to) = (own.s_to, own.s_from);
+        }
+        self.network.reached.push(own);
+        self.lengths.push(length);
+        self.entered.push(f64::NEG_INFINITY);
     }
 }
 
 impl<'a> Map<'a> {
-    /// All sequences of lanes that a vehicle can follow from a place without changing lanes, until each is `distance` long
-    /// or ends. At most 1,024 are listed, and [`LaneSequences::truncated`] says whether there are more: their number doubles with each
-    /// fork. [`Map::reach`] merges what they have in common.
+    /// All sequences of lanes that a vehicle can follow from a place without changing lanes, until each is `distance` long or ends:
+    /// [`LaneSequences::next_sequence`] tells them one by one, and [`LaneSequences::network`] is what they have in common.
+    ///
+    /// The lane of the place may be any; every other one must be open to the vehicle.
     ///
     /// Errors: ids of another map; numbers that are not finite.
     pub fn lane_sequences_ahead(
@@ -77,12 +193,14 @@ impl<'a> Map<'a> {
         from: PositionOnLane,
         distance: f64,
         vehicle: VehicleClass,
+        scratch: &mut RouteScratch,
         out: &mut LaneSequences,
     ) -> Result<(), QueryError> {
-        self.sequences(from, distance, vehicle, true, out)
+        out.begin(distance, true);
+        self.sequences(from, vehicle, scratch, out)
     }
 
-    /// All sequences of lanes on which a vehicle can have come to a place without changing lanes, nearest first, until each
+    /// All sequences of lanes on which a vehicle can have come to a place without changing lanes, each from the place's lane back, until it
     /// is `distance` long or begins.
     ///
     /// Errors: as [`Map::lane_sequences_ahead`].
@@ -91,87 +209,79 @@ impl<'a> Map<'a> {
         from: PositionOnLane,
         distance: f64,
         vehicle: VehicleClass,
+        scratch: &mut RouteScratch,
         out: &mut LaneSequences,
     ) -> Result<(), QueryError> {
-        self.sequences(from, distance, vehicle, false, out)
+        out.begin(distance, false);
+        self.sequences(from, vehicle, scratch, out)
     }
 
+    /// Finds the network: nodes in the order of their least distance.
     fn sequences(
         &self,
         from: PositionOnLane,
-        distance: f64,
         vehicle: VehicleClass,
-        ahead: bool,
+        scratch: &mut RouteScratch,
         out: &mut LaneSequences,
     ) -> Result<(), QueryError> {
-        out.begin();
         self.lane(from.lane)?;
+        let (distance, ahead) = (out.distance, out.ahead);
         if !(from.s.is_finite() && distance.is_finite()) {
             return Err(QueryError::NotFinite);
         }
-        let Some((lane, s)) = lane_of(*self, from) else { return Ok(()) };
-        for way in [true, false] {
-            let Some(node) = lane.node_at(s, way) else { continue };
-            let SRange { low, high } = node.s_range();
-            let end = if node.is_forward() == ahead { high } else { low };
-            out.open.push((node.number, lane.length_between(s, end), 0));
-            self.follow(distance, vehicle, ahead, out);
-        }
-        Ok(())
-    }
-
-    /// Depth first from the one node that is open.
-    fn follow(&self, distance: f64, vehicle: VehicleClass, ahead: bool, out: &mut LaneSequences) {
         let tables = self.tables();
         let (offsets, targets) = if ahead {
             (tables.successor_offsets, tables.successors)
         } else {
             (tables.predecessor_offsets, tables.predecessors)
         };
-        while let Some((node, length, edge)) = out.open.last_mut() {
-            let (node, length, at) = (*node, *length, *edge);
-            *edge += 1;
-            let edges = edges_of(offsets, targets, node);
-            let allowed = |n: &LaneNode<'_>| n.allows(vehicle);
-            let next =
-                LaneNode::new(*self, edges.get(at).copied().unwrap_or(u32::MAX)).filter(allowed);
-            let over = length >= distance || out.open.len() >= MOST_LANES;
-            if !over && at < edges.len() {
-                if let Some(next) = next {
-                    let passed = price(ShortestLength::default().pass(&next));
-                    out.open.push((next.number, length + passed, 0));
+        let go_on = |scratch: &mut RouteScratch, node: u32, length: f64| {
+            for next in edges_of(offsets, targets, node) {
+                let is_open = LaneNode::new(*self, *next).is_some_and(|next| next.allows(vehicle));
+                if length < distance && is_open && scratch.improve(*next, length, 0) {
+                    scratch.heap.push(Open::new(length, length, *next));
                 }
+            }
+        };
+        let Some((lane, s)) = lane_of(*self, from) else { return Ok(()) };
+        scratch.begin(tables.lane_nodes.len());
+        for way in [true, false] {
+            let Some(node) = lane.node_at(s, way) else { continue };
+            let SRange { low, high } = node.s_range();
+            let end = if node.is_forward() == ahead { high } else { low };
+            let length = lane.length_between(s, end);
+            out.add(&node, s, 0.0, length);
+            go_on(scratch, node.number, length);
+        }
+        out.starts = out.lengths.len();
+        while let Some(open) = scratch.heap.pop() {
+            let (number, passed) = (open.node, open.key());
+            if scratch.label(number).is_none_or(|label| passed > label.cost) {
                 continue;
             }
-            let goes_on = |node: &u32| LaneNode::new(*self, *node).is_some_and(|n| allowed(&n));
-            if over || !edges.iter().any(goes_on) {
-                if out.ends.len() >= MOST_SEQUENCES {
-                    out.truncated = true;
-                    out.open.clear();
-                    return;
-                }
-                self.list(out);
-            }
-            out.open.pop();
+            let Some(node) = LaneNode::new(*self, number) else { continue };
+            // From here on the label's parent is the number among what is found.
+            scratch.set_parent(number, out.lengths.len() as u32);
+            let SRange { low, high } = node.s_range();
+            let begin = if node.is_forward() == ahead { low } else { high };
+            let length = price(ShortestLength::default().pass(&node));
+            out.add(&node, begin, passed, length);
+            go_on(scratch, number, passed + length);
         }
-    }
-
-    /// Lists the open nodes' lanes, pieces of one lane as one.
-    fn list(&self, out: &mut LaneSequences) {
-        let mut last: Option<u32> = None;
-        for (node, ..) in &out.open {
-            let Some(own) = LaneNode::new(*self, *node) else { continue };
-            let lane = LaneId::new(own.row.lane(), self.content());
-            let piece = last.is_some_and(|last| last.abs_diff(*node) == 1)
-                && last.and_then(|last| LaneNode::new(*self, last)).is_some_and(|before| {
-                    before.row.lane() == own.row.lane() && before.is_forward() == own.is_forward()
-                });
-            if !piece {
-                out.lanes.push(lane);
+        let LaneSequences { network: Reach { reached, links, first }, lengths, .. } = out;
+        for (own, length) in reached.iter().zip(lengths.iter()) {
+            first.push(links.len() as u32);
+            let end = if ahead { own.cost + length } else { own.cost };
+            if end < distance {
+                let next = edges_of(offsets, targets, own.number).iter();
+                let known = next.filter_map(|next| scratch.label(*next));
+                links.extend(
+                    known.map(|to| ReachLink { to: to.parent as usize, enter: Enter::Ahead }),
+                );
             }
-            last = Some(*node);
         }
-        out.ends.push(out.lanes.len());
+        first.push(links.len() as u32);
+        Ok(())
     }
 
     /// The next junction ahead of a place within a distance, following the lanes as long as there is but one way on, or all
@@ -217,12 +327,8 @@ impl<'a> Map<'a> {
 
 #[cfg(feature = "serde")]
 impl serde::Serialize for LaneSequences {
-    /// `sequences`, each a list of lanes, and `truncated`.
+    /// The network.
     fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        use serde::ser::SerializeStruct;
-        let mut out = to.serialize_struct("LaneSequences", 2)?;
-        out.serialize_field("sequences", &self.iter().collect::<Vec<_>>())?;
-        out.serialize_field("truncated", &self.truncated)?;
-        out.end()
+        self.network.serialize(to)
     }
 }

@@ -94,11 +94,11 @@ impl Basis {
         }
     }
 
-    /// Who goes first at a stored conflict, unless only a rule of the road says so.
+    /// Who goes first at a stored conflict, where the file says so. What else is stored comes of the directions in which the lanes lead.
     pub(crate) fn written(row: &ArchivedConflictRow) -> Relation {
         match Self::of(RelationReason::from_code(row.reason())) {
-            Self::Rule => Relation::Unknown,
-            _ => Relation::from_code(row.relation()),
+            Self::Written => Relation::from_code(row.relation()),
+            _ => Relation::Unknown,
         }
     }
 
@@ -117,8 +117,7 @@ impl<'a> RightOfWay<'a> {
         Lane::new(self.map, self.row.other())
     }
 
-    /// Who goes first by what the file says: [`Relation::Unknown`] where a rule of the road would have to say, which [`Self::relation_by`] asks, and
-    /// [`Relation::Open`] where none would.
+    /// Who goes first by what the file says: [`Relation::Unknown`] where it does not. [`Self::relation_by`] asks a rule of the road, too.
     pub fn relation(&self) -> Relation {
         Basis::written(self.row)
     }

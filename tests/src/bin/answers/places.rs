@@ -3,7 +3,7 @@
 use crate::numbers::{NOTHING, Numbers, clamped, hash, lane_bits, object_bits, short, signal_bits};
 use crate::{Asker, RADII, Result};
 use mapd_client::localisation::LandmarkSource;
-use mapd_client::route::{LaneSequences, PositionOnLane};
+use mapd_client::route::{LaneSequences, PositionOnLane, RouteScratch};
 use mapd_client::signals::SignalsAhead;
 use mapd_client::vocabulary::{ClassSet, VehicleClass};
 use mapd_client::{Nearest, NearestOptions, Point, Track};
@@ -189,9 +189,12 @@ impl Asker<'_> {
         self.write("ahead", &q, &a);
 
         let (mut sequences, mut a) = (LaneSequences::default(), Numbers::default());
-        map.lane_sequences_ahead(from, reach, VehicleClass::PassengerCar, &mut sequences)?;
-        a.u(sequences.iter().len() as u64);
-        for lanes in sequences.iter() {
+        let (car, mut scratch) = (VehicleClass::PassengerCar, RouteScratch::default());
+        map.lane_sequences_ahead(from, reach, car, &mut scratch, &mut sequences)?;
+        let pieces = sequences.network().reached().len();
+        let links = (0..pieces).map(|piece| sequences.network().links(piece).len()).sum::<usize>();
+        a.u(pieces as u64).u(links as u64);
+        while let Some(lanes) = sequences.next_sequence() {
             a.lanes(lanes.iter().copied());
         }
         self.write("sequences", &q, &a);
