@@ -11,12 +11,14 @@ Each difference is put to one of the reasons in `EXPLAINED`, which README.md lis
 """
 import collections
 import csv
+import functools
 import io
 import math
 import os
 import random
 import subprocess
 import sys
+import xml.etree.ElementTree as xml
 
 import ad_map_access
 import ad_physics  # noqa: F401  (types of the answers)
@@ -25,6 +27,8 @@ PAIRS = 100
 # Lengths that differ by a smaller share, and borders that lie nearer [m], are the same: ad_map_access cuts its lanes into chords.
 SAME_LENGTH, SAME_BORDER = 0.005, 0.10
 ROUTE = ["from_road", "from_s", "from_lane", "to_road", "to_s", "to_lane"]
+# Headings that differ by more come from the side, by more than thrice as much from ahead [rad]: as mapd has it.
+BESIDE = math.pi / 4
 # Each edge's middle is where half of its own length is: in a bend by up to this far before or beyond the middle of the lane [m].
 BEYOND = 0.5
 # Distance of stations of corridor and path [m].
@@ -32,8 +36,14 @@ STEP = 0.5
 EXPLAINED = {
     "least length": "of lanes side by side ad_map_access counts the shortest; its own lengths of the lanes that mapd drives add up to mapd's",
     "another way": "the shortest way is another one where of lanes side by side the shortest counts",
+    "not the shortest": "ad_map_access's own routes from lane to lane along mapd's way add up to less than its route does",
     "no link": "ad_map_access has no link between two lanes that follow each other on mapd's way, or lacks one of them",
+    "behind": "the goal lies behind the start on the same stretch: mapd drives round, ad_map_access not at all",
+    "forbidden change": "ad_map_access's way needs a change of lane that mapd does not find on its stretch: the road marks forbid it",
     "bidirectional": "mapd leaves a lane for both directions by a change of lane, ad_map_access does not",
+    "no rule of turns": "by ad_map_access's own headings the lane comes from ahead, and `PriorityToRight` knows no rule of turns",
+    "own headings": "by ad_map_access's own headings the lane comes from that side, but it lists it otherwise",
+    "no normal lane": "ad_map_access does not take the lane for one that is driven on",
     "beyond the end": "in a bend ad_map_access ends each border at half of its own length, mapd straight across from the other one: the point lies straight on beyond mapd's edge",
 }
 ad = ad_map_access.map
@@ -82,17 +92,17 @@ def segments_of(route):
 
 
 def driven_there(ours, segments):
-    """Length of mapd's way by ad_map_access's own lengths; none if the way leads over other lanes."""
-    total, at = 0.0, 0
+    """Least and largest length of mapd's way by ad_map_access's own lengths, which differ where lanes change; none if the way leads over other lanes."""
+    least, most, at = 0.0, 0.0, 0
     for part in segments:
-        last = None
+        driven = []
         while at < len(ours) and ours[at] in part:
-            last, at = ours[at], at + 1
-        if last is None:
+            driven.append(part[ours[at]])
+            at += 1
+        if not driven:
             return None
-        # A lane that is left by a change is driven for no length.
-        total += part[last]
-    return total if at == len(ours) else None
+        least, most = least + min(driven), most + max(driven)
+    return (least, most) if at == len(ours) else None
 
 
 def missing_link(ours, by_key):
@@ -120,20 +130,88 @@ def why_one_alone(ours, by_key):
     return "bidirectional" if leaves_bidirectional(ours, by_key) else ""
 
 
-def why_other_length(length, ours, segments, by_key):
+def needs_forbidden_change(mapd, path, start, segments):
+    """Whether no lanes lead along a way by mapd's links and by changes that it finds on the same stretch."""
+    sections = sections_of(path)
+    on = {start}
+    for part, following in zip(segments, segments[1:] + [None]):
+        pairs, ends = [(a, b) for a in part for b in part if a != b and a[:2] == b[:2]], {}
+        for road, section, lane in part:
+            begin, end = sections[road][section]
+            # Lanes with positive numbers run against s where one keeps right.
+            ends[road, section, lane] = (begin, end) if lane < 0 else (end, begin)
+        rows = [[a[0], ends[a][0], a[2], b[0], ends[b][1], b[2]] for a, b in pairs]
+        found = ask(mapd, path, "route", ROUTE, rows, "--lane-change", "0") if rows else []
+        # On a way round one would come back to the same stretch.
+        leads = {(a, b) for (a, b), own in zip(pairs, found) if own["lanes"] and all(lane.startswith(f"{a[0]}:{a[1]}:") for lane in own["lanes"].split(";"))}
+        on |= {b for a, b in leads if a in on}
+        if following is None:
+            return False
+        rows = [[a[0], sum(ends[a]) / 2, a[2]] for a in on if a in ends]
+        names = ";".join(own["successors"] for own in ask(mapd, path, "successors", ["road_id", "s", "lane_id"], rows)) if rows else ""
+        on = {tuple(int(n) for n in name.split(":")) for name in names.split(";") if name} & set(following)
+        if not on:
+            return True
+    return False
+
+
+@functools.cache
+def sections_of(path):
+    """The ends of each lane section, by the number of its road."""
+    found = {}
+    for road in xml.parse(path).getroot().iter("road"):
+        begins = [float(section.get("s")) for section in road.iter("laneSection")]
+        found[int(road.get("id"))] = list(zip(begins, begins[1:] + [float(road.get("length"))]))
+    return found
+
+
+def why_other_length(mapd, path, length, ours, segments, by_key):
     """Why both find a way, of different lengths."""
+    if len(segments) == 1 and ours[0][:2] == ours[-1][:2] and any(lane[:2] != ours[0][:2] for lane in ours):
+        return "behind"
     there = driven_there(ours, segments)
     if there is not None:
-        return "least length" if is_same(length, there) else ""
+        return "least length" if there[0] < length < there[1] or any(is_same(length, end) for end in there) else ""
     # Their way is in truth as long as the lanes that are driven: no shorter than mapd's, and no longer than this.
     longest, least = (sum(of(part.values()) for part in segments) for of in (max, min))
     if least < length and (length < longest or is_same(length, longest)):
         return "another way"
-    return why_one_alone(ours, by_key)
+    reason = why_one_alone(ours, by_key)
+    legs = None if reason else length_by_legs(ours, by_key)
+    if legs is not None and (legs < length or is_same(length, legs)) and legs < least:
+        return "not the shortest"
+    if not reason and length > least and needs_forbidden_change(mapd, path, ours[0], segments):
+        return "forbidden change"
+    return reason
+
+
+def length_by_legs(ours, by_key):
+    """What ad_map_access's own routes from the middle of each lane of a way to that of the next add up to; none if it finds none of them."""
+    total = 0.0
+    for one, following in zip(ours, ours[1:]):
+        if one[:2] == following[:2]:
+            # A change of lane is driven for no length.
+            continue
+        route = plan(by_key[one], by_key[following])
+        if not segments_of(route):
+            return None
+        total += metres(ad.route.calcLength(route))
+    return total
 
 
 def is_same(length, other):
     return abs(length - other) <= SAME_LENGTH * max(length, other) + 0.5
+
+
+def from_polyline(points, place):
+    """Distance of a place from a polyline whose points follow each other closely."""
+    best = math.inf
+    for (ax, ay), (bx, by) in zip(points, points[1:]):
+        dx, dy = bx - ax, by - ay
+        square = dx * dx + dy * dy
+        share = 0.0 if square == 0 else max(0.0, min(1.0, ((place[0] - ax) * dx + (place[1] - ay) * dy) / square))
+        best = min(best, math.hypot(place[0] - ax - share * dx, place[1] - ay - share * dy))
+    return best
 
 
 def is_beyond_end(points, place):
@@ -191,23 +269,45 @@ def compare_borders(route, room, found):
     return points, apart
 
 
-def compare_priorities(route, stations, meets, row, found, counted):
+def heading(lane):
+    """Heading of a lane's traffic where the lane begins, by ad_map_access's own points."""
+    begin = 1.0 if str(ad.lane.getLane(lane).direction) == "NEGATIVE" else 0.0
+    return metres(ad.lane.getLaneENUHeading(ad.point.createParaPoint(lane, ad_map_access.physics.ParametricValue(begin))))
+
+
+def why_other_priority(one, own, inner, by_key):
+    """Why mapd and ad_map_access differ about who goes first where the path meets a lane; `own` is the path's first lane of the intersection."""
+    other = tuple(int(n) for n in one["other_lane"].split(":"))
+    if other not in by_key or str(ad.lane.getLane(by_key[other]).type) not in ("NORMAL", "INTERSECTION") or one["other_lane"] not in inner:
+        return "no normal lane"
+    turned = (heading(by_key[other]) - heading(own) + math.pi) % (2 * math.pi) - math.pi
+    if one["reason"].startswith("turn"):
+        return "no rule of turns" if abs(turned) >= 3 * BESIDE else ""
+    from_right = BESIDE < turned < 3 * BESIDE
+    from_left = BESIDE < -turned < 3 * BESIDE
+    return "own headings" if (from_right if one["yields"] == "yields" else from_left) else ""
+
+
+def compare_priorities(route, stations, meets, row, by_key, found, counted):
     """Compares who goes first where the path passes an intersection."""
     name = lambda lane: ":".join(str(n) for n in key(lane))
     for crossing in ad.intersection.Intersection.getIntersectionsForRoute(route):
         own = {name(lane) for lane in crossing.lanesOnRoute}
-        inside = [float(s["S"]) for s in stations if s["lane"] in own]
+        inside = [(float(s["S"]), s["lane"]) for s in stations if s["lane"] in own]
         if not inside:
             continue
+        entered = by_key[tuple(int(n) for n in min(inside)[1].split(":"))]
+        inner = {name(lane) for lane in crossing.internalLanes}
         first = {name(lane) for lane in crossing.internalLanesWithHigherPriority}
         for one in meets:
             # The same intersection may be passed again, by other lanes.
-            if one["yields"] == "unknown" or not min(inside) - STEP <= float(one["S_from"]) <= max(inside) + STEP:
+            if one["yields"] not in ("yields", "priority") or not min(inside)[0] - STEP <= float(one["S_from"]) <= max(inside)[0] + STEP:
                 continue
             goes_first = one["other_lane"] in first
             counted[one["yields"]] += 1
             if goes_first != (one["yields"] == "yields"):
-                found.add("", f"{row} {one['yields']} to {one['other_lane']} by {one['reason']}, there {'first' if goes_first else 'not first'}")
+                reason = why_other_priority(one, entered, inner, by_key)
+                found.add(reason, f"{row} {one['yields']} to {one['other_lane']} by {one['reason']}, there {'first' if goes_first else 'not first'}")
 
 
 def compare(mapd, path):
@@ -244,7 +344,7 @@ def compare(mapd, path):
         length, other = float(own["length"]), metres(ad.route.calcLength(route))
         if not is_same(length, other):
             counts["shorter" if length < other else "longer"] += 1
-            reason = why_other_length(length, ours, segments, by_key)
+            reason = why_other_length(mapd, path, length, ours, segments, by_key)
             found.add(reason, f"{row} {length} m over {own['lanes']}, there {other} m over {segments}")
             continue
         counts["same"] += 1
@@ -263,7 +363,7 @@ def compare(mapd, path):
         points, beyond = compare_borders(route, of["corridor"], found)
         borders += points
         apart += beyond
-        compare_priorities(route, of["path"], of["conflicts"], row, found, counted)
+        compare_priorities(route, of["path"], of["conflicts"], row, by_key, found, counted)
     print(
         f"{path}: {len(known)} of {len(normal)} lanes have the same name, {sum(counts.values())} pairs: "
         + ", ".join(f"{count} {name}" for name, count in counts.items())
