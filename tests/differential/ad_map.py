@@ -178,7 +178,9 @@ def why_other_length(mapd, path, length, ours, segments, by_key):
         return "another way"
     reason = why_one_alone(ours, by_key)
     legs = None if reason else length_by_legs(ours, by_key)
-    if legs is not None and (legs < length or is_same(length, legs)) and legs < least:
+    # Where lanes change, the shortest counts here, too.
+    changes = any(one[:2] == following[:2] for one, following in zip(ours, ours[1:]))
+    if legs is not None and (changes and legs < length or is_same(length, legs)) and legs < least:
         return "not the shortest"
     if not reason and length > least and needs_forbidden_change(mapd, path, ours[0], segments):
         return "forbidden change"
