@@ -1,4 +1,4 @@
-//! Every public function of the Rust client has a form in C, or a reason why it has none: `forms.txt`.
+//! Every public function of the Rust client has a form in C, or a reason why it has none: `forms.txt`; in Python likewise: `src/python/tests/forms.txt`.
 //!
 //! Functions are found in the sources as rustfmt writes them: `pub fn` in an `impl` of a type that a library or a public module of it
 //! exports, or a free one that it exports.
@@ -230,14 +230,20 @@ fn every_function_is_called_by_a_program() {
     assert_eq!(missing, known, "functions that no program calls, and those that are known");
 }
 
-#[test]
-fn every_function_has_a_form_or_a_reason() {
-    let (functions, header) = (functions(), header());
-    assert!(functions.len() > 500 && header.len() > 120, "{} {}", functions.len(), header.len());
+/// What a table of forms says that the sources do not, and what it leaves out: `same` are functions that need no line, `forms` what there is,
+/// `needed` of these what must be the form of something.
+fn wrong_in(
+    table: &str,
+    language: &str,
+    same: impl Fn(&(String, String)) -> bool,
+    forms: &BTreeSet<String>,
+    needed: &BTreeSet<String>,
+) -> Vec<String> {
+    let functions = functions();
+    assert!(functions.len() > 500 && needed.len() > 120, "{} {}", functions.len(), needed.len());
     let mut wrong = Vec::new();
     let (mut explicit, mut whole) = (BTreeSet::new(), BTreeMap::new());
     let mut named = BTreeSet::new();
-    let table = read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/forms.txt"));
     for line in table.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
         let (left, form) = line.split_once(": ").unwrap_or((line, ""));
         let mut left = left.split_whitespace();
@@ -260,15 +266,73 @@ fn every_function_has_a_form_or_a_reason() {
         let (of, name) = one;
         match whole.get_mut(of) {
             _ if explicit.contains(one) => {}
+            _ if same(one) => {
+                named.insert(format!("{of}.{name}"));
+            }
             Some(is_used) => *is_used = true,
-            None => wrong.push(format!("{of}::{name} has neither a form in C nor a reason")),
+            None => {
+                wrong.push(format!("{of}::{name} has neither a form in {language} nor a reason"))
+            }
         }
     }
     let gone = explicit.difference(&functions);
     wrong.extend(gone.map(|(of, name)| format!("the client has no {of}::{name}")));
     let idle = whole.iter().filter(|(_, is_used)| !**is_used);
     wrong.extend(idle.map(|(of, _)| format!("{of} * stands for nothing")));
-    wrong.extend(named.difference(&header).map(|name| format!("the header has no {name}")));
-    wrong.extend(header.difference(&named).map(|name| format!("{name} is no form of anything")));
+    wrong.extend(named.difference(forms).map(|name| format!("{language} has no {name}")));
+    wrong.extend(needed.difference(&named).map(|name| format!("{name} is no form of anything")));
+    wrong
+}
+
+#[test]
+fn every_function_has_a_form_in_c_or_a_reason() {
+    let header = header();
+    let table = read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/forms.txt"));
+    let wrong = wrong_in(&table, "C", |_| false, &header, &header);
     assert!(wrong.is_empty(), "forms.txt:\n{}", wrong.join("\n"));
+}
+
+/// Classes, methods, fields and functions of a file of Python, as `Class`, `Class.method` and `function`, with a prefix; private ones are left out.
+fn of_python(file: &str, prefix: &str) -> BTreeSet<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../python/python/mapd");
+    let (mut all, mut of) = (BTreeSet::new(), String::new());
+    for line in read(&folder.join(file)).lines().filter(|line| !line.is_empty()) {
+        let (inside, line) = match line.strip_prefix("    ") {
+            // Of a function's parameters.
+            Some(_) if of.is_empty() => continue,
+            Some(line) => (format!("{of}."), line),
+            None => (prefix.to_owned(), line),
+        };
+        if inside == prefix {
+            of.clear();
+        }
+        if let Some(name) = line.strip_prefix("class ").and_then(|rest| words(rest).next()) {
+            of = name.to_owned();
+        }
+        let named = line.strip_prefix("class ").or_else(|| line.strip_prefix("def "));
+        let field = || line.split_once(": ").map(|(name, _)| name);
+        let name = named.and_then(|rest| words(rest).next()).or_else(field);
+        let is_name = |name: &&str| {
+            !name.starts_with('_') && name.chars().all(|c| c.is_alphanumeric() || c == '_')
+        };
+        all.extend(name.filter(is_name).map(|name| format!("{inside}{name}")));
+    }
+    all
+}
+
+#[test]
+fn every_function_has_a_form_in_python_or_a_reason() {
+    let compiled = of_python("_mapd.pyi", "");
+    let methods = |name: &&String| name.contains('.') || name.starts_with(char::is_lowercase);
+    let needed: BTreeSet<String> = compiled.iter().filter(methods).cloned().collect();
+    let mut forms = compiled;
+    for (file, prefix) in
+        [("_results.py", ""), ("_columns.py", ""), ("_compile.py", ""), ("raw.py", "raw.")]
+    {
+        forms.extend(of_python(file, prefix));
+    }
+    let table = read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../python/tests/forms.txt"));
+    let same = |(of, name): &(String, String)| needed.contains(&format!("{of}.{name}"));
+    let wrong = wrong_in(&table, "Python", same, &forms, &needed);
+    assert!(wrong.is_empty(), "src/python/tests/forms.txt:\n{}", wrong.join("\n"));
 }

@@ -1,12 +1,14 @@
 //! What a path comes by, and who meets it; as Python has it.
 
-use crate::batch::{Column, SPEED_ORIGINS, columns, fields, result, speed_rule};
+use crate::batch::{SPEED_ORIGINS, columns, fields, result, speed_rule};
 use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::lane::Lane;
 use crate::object::Object;
+use crate::room::{Column, Kept, Room};
 use crate::route::{Cost, found_route, step_result};
 use crate::signal::Signal;
+use mapd_client::QueryError;
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::path::{
     Corridor, CorridorEdges, EdgeKind, EdgeMark, Path, PathChange, PathChangeKind, PathConflict,
@@ -178,7 +180,7 @@ pub(crate) fn segment_columns<'py>(
         numbers(|own| own.last_change),
         numbers(|own| own.lane_end),
     ];
-    columns(py, "PathSegments", all, None)
+    columns(py, "PathSegments", all)
 }
 
 pub(crate) fn crossings<'py>(
@@ -267,41 +269,52 @@ pub(crate) fn steps_between<'py>(
     PyTuple::new(py, part.collect::<PyResult<Vec<_>>>()?)
 }
 
-/// Columns of a corridor.
-pub(crate) fn room<'py>(
+/// A column of what is said of each entry of a list.
+fn of_each<T, N: Kept>(room: &mut Room, all: &[T], of: impl Fn(&T) -> N) -> Vec<N> {
+    let mut column = room.take(all.len());
+    column.extend(all.iter().map(of));
+    column
+}
+
+/// Columns of the corridor that `ask` fills.
+pub(crate) fn corridor<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
-    found: &Corridor,
     out: Option<&Bound<'py, PyAny>>,
+    ask: impl FnOnce(&mut Corridor) -> Result<(), QueryError> + Send,
 ) -> PyResult<Bound<'py, PyAny>> {
+    let mut room = Room::of(py, "Corridor", out)?;
+    let mut found = std::mem::take(&mut room.corridor);
+    py.detach(|| ask(&mut found)).map_err(query)?;
     let content = content(held.map());
-    let parts = |points: &[DVec3], part: fn(&DVec3) -> f64| {
-        Column::Numbers(points.iter().map(part).collect())
-    };
-    let lanes = found.lane.iter().map(|lane| id(content, lane.row())).collect();
-    let mut all = vec![Column::Numbers(found.along.clone()), Column::Ids(lanes)];
+    let mut all = vec![
+        Column::Numbers(of_each(&mut room, &found.along, |along| *along)),
+        Column::Ids(of_each(&mut room, &found.lane, |lane| id(content, lane.row()))),
+    ];
     for points in [&found.left, &found.right, &found.outer_left, &found.outer_right] {
-        all.extend([parts(points, |p| p.x), parts(points, |p| p.y), parts(points, |p| p.z)]);
+        for part in [|p: &DVec3| p.x, |p: &DVec3| p.y, |p: &DVec3| p.z] {
+            all.push(Column::Numbers(of_each(&mut room, points, part)));
+        }
     }
     let marks =
         [&found.left_mark, &found.right_mark, &found.outer_left_mark, &found.outer_right_mark];
     for marks in marks {
-        let codes = |code: fn(&EdgeMark) -> u8| {
-            Column::Codes(marks.iter().map(|mark| code(mark) as i8).collect())
-        };
-        all.extend([codes(|mark| mark.kind.code()), codes(|mark| mark.color.code())]);
-        all.push(Column::Flags(marks.iter().map(|mark| mark.may_cross).collect()));
-        all.push(codes(edge_code));
+        let kinds = of_each(&mut room, marks, |mark| mark.kind.code() as i8);
+        let colors = of_each(&mut room, marks, |mark| mark.color.code() as i8);
+        all.extend([Column::Codes(kinds), Column::Codes(colors)]);
+        all.push(Column::Flags(of_each(&mut room, marks, |mark| mark.may_cross)));
+        all.push(Column::Codes(of_each(&mut room, marks, |mark| edge_code(mark) as i8)));
     }
-    all.push(Column::Numbers(found.s.clone()));
+    all.push(Column::Numbers(of_each(&mut room, &found.s, |s| *s)));
     let max = |rule: &mapd_client::rules::SpeedRule| rule.max.unwrap_or(f64::NAN);
-    all.push(Column::Numbers(found.speed.iter().map(max).collect()));
+    all.push(Column::Numbers(of_each(&mut room, &found.speed, max)));
     let origin = |rule: &mapd_client::rules::SpeedRule| {
         let name = rule.origin.name();
         SPEED_ORIGINS.iter().position(|own| *own == name).unwrap_or(0) as i8
     };
-    all.push(Column::Codes(found.speed.iter().map(origin).collect()));
-    columns(py, "Corridor", all, out)
+    all.push(Column::Codes(of_each(&mut room, &found.speed, origin)));
+    room.corridor = found;
+    room.columns(py, "Corridor", all, out)
 }
 
 /// The road's surface along a path.
@@ -311,28 +324,29 @@ pub(crate) fn surface<'py>(
     [start, length, step]: [f64; 3],
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let found = py
-        .detach(|| {
-            let mut found = Corridor::default();
-            path.corridor(start, length, step, VehicleClass::PassengerCar, &mut found)?;
-            path.corridor_surface(&mut found).map(|()| found)
-        })
-        .map_err(query)?;
-    let numbers = |of: fn(&mapd_client::path::CorridorSurface) -> f64| {
-        Column::Numbers(found.surface.iter().map(of).collect())
-    };
-    let all = vec![
-        Column::Numbers(found.along.clone()),
-        numbers(|own| own.position.x),
-        numbers(|own| own.position.y),
-        numbers(|own| own.position.z),
-        numbers(|own| own.normal.x),
-        numbers(|own| own.normal.y),
-        numbers(|own| own.normal.z),
-        numbers(|own| own.friction.unwrap_or(f64::NAN)),
-        numbers(|own| own.roughness.unwrap_or(f64::NAN)),
+    let mut room = Room::of(py, "CorridorSurface", out)?;
+    let mut found = std::mem::take(&mut room.corridor);
+    py.detach(|| {
+        path.corridor(start, length, step, VehicleClass::PassengerCar, &mut found)?;
+        path.corridor_surface(&mut found)
+    })
+    .map_err(query)?;
+    let parts: [fn(&mapd_client::path::CorridorSurface) -> f64; 8] = [
+        |own| own.position.x,
+        |own| own.position.y,
+        |own| own.position.z,
+        |own| own.normal.x,
+        |own| own.normal.y,
+        |own| own.normal.z,
+        |own| own.friction.unwrap_or(f64::NAN),
+        |own| own.roughness.unwrap_or(f64::NAN),
     ];
-    columns(py, "CorridorSurface", all, out)
+    let mut all = vec![Column::Numbers(of_each(&mut room, &found.along, |along| *along))];
+    for part in parts {
+        all.push(Column::Numbers(of_each(&mut room, &found.surface, part)));
+    }
+    room.corridor = found;
+    room.columns(py, "CorridorSurface", all, out)
 }
 
 /// The room between left and right edges (N, 2) as one polygon (M, 2) [m], and whether it is simple.
@@ -343,7 +357,7 @@ pub(crate) fn outline<'py>(
     right: &Bound<'py, PyAny>,
 ) -> PyResult<(Bound<'py, PyAny>, bool)> {
     let rows = |what: &Bound<'py, PyAny>, name: &str| -> PyResult<Vec<DVec3>> {
-        let rows = crate::input::Rows::of(what, name, &[2])?;
+        let rows = crate::input::Rows::of(what, name, &[2], &mut Room::default())?;
         Ok(rows.points().map(|point| point.xy.extend(0.0)).collect())
     };
     let (left, right) = (rows(left, "left")?, rows(right, "right")?);
@@ -395,5 +409,5 @@ pub(crate) fn approaches<'py>(
         numbers(|own| own.distance[0]),
         numbers(|own| own.distance[1]),
     ];
-    columns(py, "Approaches", all, None)
+    columns(py, "Approaches", all)
 }

@@ -3,46 +3,25 @@
 use crate::errors::query_in_row;
 use crate::held::{Held, id};
 use crate::input::NONE_ID;
+use crate::room::{Column, Room};
 use crate::signal::Signal;
 use mapd_client::batch::{self, NearestLanes};
 use mapd_client::roads::Material;
 use mapd_client::rules::{OvertakingRule, SpeedRule};
 use mapd_client::{Clamped, LaneId, LanePosition, Pose, QueryError};
-use numpy::{IntoPyArray, ndarray::Array2};
+use numpy::IntoPyArray;
+use numpy::ndarray::Array2;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::PyDict;
 use std::sync::Arc;
 
-/// A column of any type.
-pub(crate) enum Column {
-    Ids(Vec<u64>),
-    Numbers(Vec<f64>),
-    Codes(Vec<i8>),
-    Flags(Vec<bool>),
-    Counts(Vec<i64>),
-}
-
-impl Column {
-    fn array<'py>(self, py: Python<'py>) -> Bound<'py, PyAny> {
-        match self {
-            Self::Ids(column) => column.into_pyarray(py).into_any(),
-            Self::Numbers(column) => column.into_pyarray(py).into_any(),
-            Self::Codes(column) => column.into_pyarray(py).into_any(),
-            Self::Flags(column) => column.into_pyarray(py).into_any(),
-            Self::Counts(column) => column.into_pyarray(py).into_any(),
-        }
-    }
-}
-
-/// Columns of a class of `mapd._columns`, in the order in which it names them; into `out`, where there is one.
+/// Columns of a class of `mapd._columns`, in the order in which it names them.
 pub(crate) fn columns<'py>(
     py: Python<'py>,
     class: &str,
     columns: Vec<Column>,
-    out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let arrays = PyList::new(py, columns.into_iter().map(|column| column.array(py)))?;
-    py.import("mapd._columns")?.getattr(class)?.call_method1("_of", (arrays, out))
+    Box::<Room>::default().columns(py, class, columns, None)
 }
 
 /// A result of a class of `mapd._results`.
@@ -99,6 +78,30 @@ pub(crate) fn clamped_code(clamped: Clamped) -> i8 {
     }
 }
 
+/// Codes of what is clamped.
+fn codes(clamped: Vec<Clamped>, room: &mut Room) -> Vec<i8> {
+    let mut codes = room.take(clamped.len());
+    codes.extend(clamped.iter().copied().map(clamped_code));
+    room.give(clamped);
+    codes
+}
+
+/// Empty columns of nearest lanes.
+pub(crate) fn nearest(rows: usize, room: &mut Room) -> NearestLanes {
+    let [s, t, offset, distance, z, heading, heading_of_reference_line] = room.numbers(rows);
+    NearestLanes {
+        lane: room.take(rows),
+        s,
+        t,
+        offset,
+        distance,
+        z,
+        heading,
+        heading_of_reference_line,
+        clamped: room.take(rows),
+    }
+}
+
 /// Columns of places on lanes.
 #[derive(Default)]
 pub(crate) struct Positions {
@@ -112,17 +115,17 @@ pub(crate) struct Positions {
 const NOWHERE: [f64; 2] = [f64::NAN; 2];
 
 impl Positions {
-    pub(crate) fn with_capacity(rows: usize) -> Self {
+    pub(crate) fn with_room(rows: usize, room: &mut Room) -> Self {
         Self {
-            lane: Vec::with_capacity(rows),
-            numbers: std::array::from_fn(|_| Vec::with_capacity(rows)),
-            clamped: Vec::with_capacity(rows),
-            of_reference_line: std::array::from_fn(|_| Vec::with_capacity(rows)),
+            lane: room.take(rows),
+            numbers: room.numbers(rows),
+            clamped: room.take(rows),
+            of_reference_line: room.numbers(rows),
         }
     }
 
-    /// Nearest lanes as they are.
-    pub(crate) fn of(content: u32, found: NearestLanes) -> Self {
+    /// Nearest lanes as they are; [`nearest`] has their memory.
+    pub(crate) fn of(content: u32, found: NearestLanes, room: &mut Room) -> Self {
         let NearestLanes {
             lane,
             s,
@@ -134,17 +137,19 @@ impl Positions {
             heading_of_reference_line,
             clamped,
         } = found;
+        let (mut turned, mut ids) = (room.take(lane.len()), room.take(lane.len()));
         let headings = heading.iter().zip(&heading_of_reference_line);
         let offsets = offset.iter().zip(headings);
         // Traffic goes along the reference line or against it.
-        let turned = offsets.map(|(own, (lane, line))| if lane == line { *own } else { -own });
-        let of_reference_line = [turned.collect(), heading_of_reference_line];
+        turned.extend(offsets.map(|(own, (lane, line))| if lane == line { *own } else { -own }));
         let id_of = |lane: LaneId| id(content, lane.row());
+        ids.extend(lane.iter().map(|lane| lane.map_or(NONE_ID, id_of)));
+        room.give(lane);
         Self {
-            lane: lane.into_iter().map(|lane| lane.map_or(NONE_ID, id_of)).collect(),
+            lane: ids,
             numbers: [s, t, offset, distance, z, heading],
-            clamped: clamped.into_iter().map(clamped_code).collect(),
-            of_reference_line,
+            clamped: codes(clamped, room),
+            of_reference_line: [turned, heading_of_reference_line],
         }
     }
 
@@ -210,8 +215,8 @@ pub(crate) struct Speeds {
 }
 
 impl Speeds {
-    pub(crate) fn with_capacity(rows: usize) -> Self {
-        Self { max: Vec::with_capacity(rows), origin: Vec::with_capacity(rows) }
+    pub(crate) fn with_room(rows: usize, room: &mut Room) -> Self {
+        Self { max: room.take(rows), origin: room.take(rows) }
     }
 
     pub(crate) fn push(&mut self, rule: &SpeedRule) {
@@ -270,9 +275,8 @@ pub(crate) struct Poses {
 }
 
 impl Poses {
-    pub(crate) fn with_capacity(rows: usize) -> Self {
-        let numbers = std::array::from_fn(|_| Vec::with_capacity(rows));
-        Self { numbers, clamped: Vec::with_capacity(rows) }
+    pub(crate) fn with_room(rows: usize, room: &mut Room) -> Self {
+        Self { numbers: room.numbers(rows), clamped: room.take(rows) }
     }
 
     pub(crate) fn push(&mut self, pose: &Pose) {
@@ -289,20 +293,33 @@ impl Poses {
     }
 }
 
+/// Empty columns of a batch's poses.
+pub(crate) fn poses(rows: usize, room: &mut Room) -> batch::Poses {
+    let [x, y, z, heading, curvature, slope, superelevation] = room.numbers(rows);
+    let clamped = room.take(rows);
+    batch::Poses { x, y, z, heading, curvature, slope, superelevation, clamped }
+}
+
 /// Columns of a batch's poses.
-pub(crate) fn pose_columns(poses: batch::Poses) -> Vec<Column> {
+pub(crate) fn pose_columns(poses: batch::Poses, room: &mut Room) -> Vec<Column> {
     let batch::Poses { x, y, z, heading, curvature, slope, superelevation, clamped } = poses;
     let numbers = [x, y, z, heading, curvature, slope, superelevation];
     let mut columns: Vec<_> = numbers.into_iter().map(Column::Numbers).collect();
-    columns.push(Column::Codes(clamped.into_iter().map(clamped_code).collect()));
+    columns.push(Column::Codes(codes(clamped, room)));
     columns
 }
 
+/// Empty columns of feet on a road's reference line.
+pub(crate) fn feet(rows: usize, room: &mut Room) -> batch::TrackPositions {
+    let [s, t, h, distance] = room.numbers(rows);
+    batch::TrackPositions { s, t, h, distance, clamped: room.take(rows), exact: room.take(rows) }
+}
+
 /// Columns of feet on a road's reference line.
-pub(crate) fn track_columns(feet: batch::TrackPositions) -> Vec<Column> {
+pub(crate) fn track_columns(feet: batch::TrackPositions, room: &mut Room) -> Vec<Column> {
     let batch::TrackPositions { s, t, h, distance, clamped, exact } = feet;
     let mut columns: Vec<_> = [s, t, h, distance].into_iter().map(Column::Numbers).collect();
-    columns.push(Column::Codes(clamped.into_iter().map(clamped_code).collect()));
+    columns.push(Column::Codes(codes(clamped, room)));
     columns.push(Column::Flags(exact));
     columns
 }

@@ -1,10 +1,11 @@
 //! The ground below places, and the road marks beside them.
 
-use crate::batch::{Column, answer, columns, fields, result};
+use crate::batch::{answer, fields, result};
 use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::{NONE_ID, Rows, one_point, types_of};
 use crate::lane::Lane;
+use crate::room::{Column, Room};
 use mapd_client::LaneTypes;
 use mapd_client::localisation::{Ground, GroundScratch, MarkFilter, MarkKinds, NearMark, Side};
 use pyo3::exceptions::PyValueError;
@@ -24,9 +25,10 @@ pub(crate) fn ground_at<'py>(
     points: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Option<Bound<'py, PyAny>>> {
-    let (map, mut scratch) = (held.map(), GroundScratch::default());
+    let map = held.map();
     if let Some(point) = one_point(points, "points")? {
-        let Some(ground) = map.ground_at(point, &mut scratch).map_err(query)? else {
+        let Some(ground) = map.ground_at(point, &mut GroundScratch::default()).map_err(query)?
+        else {
             return Ok(None);
         };
         let [z, nx, ny, nz, s, t] = ground_values(&ground);
@@ -44,26 +46,28 @@ pub(crate) fn ground_at<'py>(
         );
         return result(py, "Ground", &fields).map(Some);
     }
-    let points = Rows::of(points, "points", &[2, 3])?;
+    let mut room = Room::of(py, "Grounds", out)?;
+    let points = Rows::of(points, "points", &[2, 3], &mut room)?;
     let (numbers, lanes, levels) = answer(py, || {
         let content = content(map);
-        let mut numbers: [Vec<f64>; 6] = std::array::from_fn(|_| Vec::with_capacity(points.len()));
-        let mut lanes = Vec::with_capacity(points.len());
-        let mut levels: [Vec<i64>; 2] = std::array::from_fn(|_| Vec::with_capacity(points.len()));
+        let mut numbers: [Vec<f64>; 6] = room.numbers(points.len());
+        let mut lanes: Vec<u64> = room.take(points.len());
+        let mut levels: [Vec<i64>; 2] = std::array::from_fn(|_| room.take(points.len()));
         for (row, point) in points.points().enumerate() {
-            let found = map.ground_at(point, &mut scratch).map_err(|error| (row, error))?;
+            let found = map.ground_at(point, &mut room.ground).map_err(|error| (row, error))?;
             let values = found.as_ref().map_or([f64::NAN; 6], ground_values);
             numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
             lanes.push(found.as_ref().map_or(NONE_ID, |ground| id(content, ground.lane.row())));
             let own = found.as_ref().map_or([0, 0], |ground| [ground.level, ground.levels]);
             levels.iter_mut().zip(own).for_each(|(column, value)| column.push(i64::from(value)));
         }
+        points.give(&mut room);
         Ok((numbers, lanes, levels))
     })?;
     let mut all: Vec<_> = numbers.into_iter().map(Column::Numbers).collect();
     all.push(Column::Ids(lanes));
     all.extend(levels.into_iter().map(Column::Counts));
-    columns(py, "Grounds", all, out).map(Some)
+    room.columns(py, "Grounds", all, out).map(Some)
 }
 
 /// Which marks count, from what Python names.
@@ -131,12 +135,13 @@ pub(crate) fn nearest_mark<'py>(
         );
         return result(py, "NearMark", &fields).map(Some);
     }
-    let points = Rows::of(points, "points", &[2, 3])?;
+    let mut room = Room::of(py, "NearMarks", out)?;
+    let points = Rows::of(points, "points", &[2, 3], &mut room)?;
     let (lanes, numbers, codes) = answer(py, || {
         let content = content(map);
-        let mut lanes = Vec::with_capacity(points.len());
-        let mut numbers: [Vec<f64>; 5] = std::array::from_fn(|_| Vec::with_capacity(points.len()));
-        let mut codes: [Vec<i8>; 4] = std::array::from_fn(|_| Vec::with_capacity(points.len()));
+        let mut lanes: Vec<u64> = room.take(points.len());
+        let mut numbers: [Vec<f64>; 5] = room.numbers(points.len());
+        let mut codes: [Vec<i8>; 4] = std::array::from_fn(|_| room.take(points.len()));
         const NONE: [f64; 5] = [f64::NAN, f64::NAN, f64::NAN, f64::INFINITY, f64::NAN];
         for (row, point) in points.points().enumerate() {
             let found = map.nearest_mark(point.xy, filter).map_err(|error| (row, error))?;
@@ -146,10 +151,11 @@ pub(crate) fn nearest_mark<'py>(
             let own = found.as_ref().map_or([0, 0, 0, -1], mark_codes);
             codes.iter_mut().zip(own).for_each(|(column, value)| column.push(value));
         }
+        points.give(&mut room);
         Ok((lanes, numbers, codes))
     })?;
     let mut all = vec![Column::Ids(lanes)];
     all.extend(numbers.into_iter().map(Column::Numbers));
     all.extend(codes.into_iter().map(Column::Codes));
-    columns(py, "NearMarks", all, out).map(Some)
+    room.columns(py, "NearMarks", all, out).map(Some)
 }

@@ -3,13 +3,14 @@
 use crate::errors::{query, raise};
 use crate::held::content;
 use crate::lane::Lane;
+use crate::room::{Kept, Room};
 use mapd_client::batch::Places;
 use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::route::PositionOnLane;
 use mapd_client::vocabulary::{LaneType, RoadRules, VehicleClass};
 use mapd_client::{LaneKey, LaneTypes, Map, Point, QueryError, Region};
-use numpy::{PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{Element, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyString, PyTuple};
@@ -27,12 +28,17 @@ impl Rows {
     /// An array of shape (N, width) for one of the widths.
     ///
     /// Errors: anything else, by what it is.
-    pub(crate) fn of(what: &Bound<'_, PyAny>, name: &str, widths: &[usize]) -> PyResult<Self> {
+    pub(crate) fn of(
+        what: &Bound<'_, PyAny>,
+        name: &str,
+        widths: &[usize],
+        room: &mut Room,
+    ) -> PyResult<Self> {
         let array = floats(what, name, &shapes(widths))?;
         let shape = array.shape().to_vec();
         match shape.as_slice() {
             [_, width] if widths.contains(width) => {
-                Ok(Self { numbers: numbers(&array)?, width: *width })
+                Ok(Self { numbers: values(&array, room)?, width: *width })
             }
             _ => Err(PyValueError::new_err(format!(
                 "{name}: expected an array of shape {}, found {shape:?}",
@@ -50,9 +56,18 @@ impl Rows {
     }
 
     /// The rows' numbers column by column.
-    pub(crate) fn columns(&self) -> Vec<Vec<f64>> {
-        let column = |k: usize| self.rows().map(|row| row[k]).collect();
+    pub(crate) fn columns(&self, room: &mut Room) -> Vec<Vec<f64>> {
+        let column = |k: usize| {
+            let mut column = room.take(self.len());
+            column.extend(self.rows().map(|row| row[k]));
+            column
+        };
         (0..self.width).map(column).collect()
+    }
+
+    /// Leaves their memory with the room.
+    pub(crate) fn give(self, room: &mut Room) {
+        room.give(self.numbers);
     }
 
     pub(crate) fn points(&self) -> impl ExactSizeIterator<Item = Point> {
@@ -95,25 +110,42 @@ fn floats<'py>(
     )))
 }
 
-/// An array's numbers in the order of its rows, whatever its strides.
-fn numbers<'py>(array: &Bound<'py, PyArrayDyn<f64>>) -> PyResult<Vec<f64>> {
+/// An array's values in the order of its rows, whatever its strides.
+fn values<'py, T: Kept + Element>(
+    array: &Bound<'py, PyArrayDyn<T>>,
+    room: &mut Room,
+) -> PyResult<Vec<T>> {
     // Fields of packed records lie at any address, where no reference to a number may point.
     let aligned: bool = array.getattr("flags")?.get_item("ALIGNED")?.extract()?;
     let copy;
     let array = if aligned {
         array
     } else {
-        copy = array.call_method0("copy")?.cast_into::<PyArrayDyn<f64>>()?;
+        copy = array.call_method0("copy")?.cast_into::<PyArrayDyn<T>>()?;
         &copy
     };
     let array = array.try_readonly().map_err(|error| PyValueError::new_err(error.to_string()))?;
-    Ok(array.as_array().iter().copied().collect())
+    let mut values = room.take(array.len());
+    let array = array.as_array();
+    // Only what lies row by row: what lies column by column is in one piece, too.
+    match array.as_slice() {
+        Some(slice) => values.extend_from_slice(slice),
+        None => values.extend(array.iter().copied()),
+    }
+    Ok(values)
 }
 
 /// One number for all rows, or an array with one for each.
-pub(crate) fn column(what: &Bound<'_, PyAny>, name: &str, rows: usize) -> PyResult<Vec<f64>> {
+pub(crate) fn column(
+    what: &Bound<'_, PyAny>,
+    name: &str,
+    rows: usize,
+    room: &mut Room,
+) -> PyResult<Vec<f64>> {
     if let Ok(number) = what.extract::<f64>() {
-        return Ok(vec![number; rows]);
+        let mut column = room.take(rows);
+        column.resize(rows, number);
+        return Ok(column);
     }
     let array = floats(what, name, "(N,)")?;
     if array.shape() != [rows] {
@@ -122,14 +154,18 @@ pub(crate) fn column(what: &Bound<'_, PyAny>, name: &str, rows: usize) -> PyResu
             array.shape()
         )));
     }
-    numbers(&array)
+    values(&array, room)
 }
 
 /// An array of any length.
-pub(crate) fn column_of_any(what: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<f64>> {
+pub(crate) fn column_of_any(
+    what: &Bound<'_, PyAny>,
+    name: &str,
+    room: &mut Room,
+) -> PyResult<Vec<f64>> {
     let array = floats(what, name, "(N,)")?;
     match array.shape() {
-        [_] => numbers(&array),
+        [_] => values(&array, room),
         shape => Err(PyValueError::new_err(format!(
             "{name}: expected an array of shape (N,), found {shape:?}"
         ))),
@@ -137,11 +173,16 @@ pub(crate) fn column_of_any(what: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec
 }
 
 /// Matrices of three by three, row by row: one for all rows, or one for each.
-pub(crate) fn matrices(what: &Bound<'_, PyAny>, name: &str, rows: usize) -> PyResult<Vec<f64>> {
+pub(crate) fn matrices(
+    what: &Bound<'_, PyAny>,
+    name: &str,
+    rows: usize,
+    room: &mut Room,
+) -> PyResult<Vec<f64>> {
     let array = floats(what, name, "(3, 3) or (N, 3, 3)")?;
     match array.shape() {
-        [3, 3] => numbers(&array),
-        [count, 3, 3] if *count == rows => numbers(&array),
+        [3, 3] => values(&array, room),
+        [count, 3, 3] if *count == rows => values(&array, room),
         shape => Err(PyValueError::new_err(format!(
             "{name}: expected an array of shape (3, 3) or ({rows}, 3, 3), found {shape:?}"
         ))),
@@ -154,7 +195,12 @@ pub(crate) fn finite(number: f64) -> Result<f64, QueryError> {
 }
 
 /// An array of ids, one for each row.
-pub(crate) fn ids(what: &Bound<'_, PyAny>, name: &str, rows: Option<usize>) -> PyResult<Vec<u64>> {
+pub(crate) fn ids(
+    what: &Bound<'_, PyAny>,
+    name: &str,
+    rows: Option<usize>,
+    room: &mut Room,
+) -> PyResult<Vec<u64>> {
     let Ok(array) = what.cast::<PyArrayDyn<u64>>() else {
         let found = what.get_type().name()?.to_string();
         return Err(PyTypeError::new_err(format!(
@@ -168,8 +214,7 @@ pub(crate) fn ids(what: &Bound<'_, PyAny>, name: &str, rows: Option<usize>) -> P
             "{name}: expected an array of shape ({wanted},), found {shape:?}"
         )));
     }
-    let list: Vec<u64> = array.call_method0("tolist")?.extract()?;
-    Ok(list)
+    values(array, room)
 }
 
 /// A single point, which is a tuple; an array is many.

@@ -25,6 +25,7 @@ mod propose;
 mod raw;
 mod request;
 mod road;
+mod room;
 mod route;
 mod sensing;
 mod signal;
@@ -88,6 +89,7 @@ fn _mapd(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<view::View>()?;
     m.add_class::<tracker::Tracker>()?;
     m.add_class::<route::LaneSequences>()?;
+    m.add_class::<room::Memory>()?;
     m.add_function(wrap_pyfunction!(map::open_archive, m)?)?;
     m.add_function(wrap_pyfunction!(compile::read_file, m)?)?;
     m.add_function(wrap_pyfunction!(along::outline, m)?)?;

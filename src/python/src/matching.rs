@@ -1,35 +1,36 @@
 //! Which lanes vehicles may be in, by poses or by a trace.
 
-use crate::batch::{Column, Positions, columns, fields, position_fields, result};
+use crate::batch::{Positions, columns, fields, position_fields, result};
 use crate::errors::{match_in_row, matching};
 use crate::held::{Held, content};
 use crate::input::{Rows, column, matrices, one_point};
 use crate::lane::Lane;
+use crate::room::{Column, Room};
 use mapd_client::glam::DMat3;
-use mapd_client::localisation::{
-    LaneMatch, MatchError, TraceFix, TraceOptions, TraceScratch, VehiclePose,
-};
+use mapd_client::localisation::{LaneMatch, MatchError, TraceFix, TraceOptions, VehiclePose};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
 /// A covariance for each of `rows` poses: one matrix for all, or as many.
 pub(crate) struct Covariances {
-    all: Vec<DMat3>,
+    numbers: Vec<f64>,
 }
 
 impl Covariances {
-    pub(crate) fn of(what: &Bound<'_, PyAny>, rows: usize) -> PyResult<Self> {
-        let numbers = matrices(what, "covariance", rows)?;
-        let matrix = |nine: &[f64]| {
-            let mut own = [0.0; 9];
-            own.copy_from_slice(nine);
-            DMat3::from_cols_array(&own).transpose()
-        };
-        Ok(Self { all: numbers.chunks_exact(9).map(matrix).collect() })
+    pub(crate) fn of(what: &Bound<'_, PyAny>, rows: usize, room: &mut Room) -> PyResult<Self> {
+        Ok(Self { numbers: matrices(what, "covariance", rows, room)? })
     }
 
-    pub(crate) fn of_row(&self, row: usize) -> &DMat3 {
-        &self.all[if self.all.len() == 1 { 0 } else { row }]
+    pub(crate) fn of_row(&self, row: usize) -> DMat3 {
+        let begin = if self.numbers.len() == 9 { 0 } else { 9 * row };
+        let mut own = [0.0; 9];
+        own.copy_from_slice(&self.numbers[begin..begin + 9]);
+        DMat3::from_cols_array(&own).transpose()
+    }
+
+    /// Leaves their memory with the room.
+    pub(crate) fn give(self, room: &mut Room) {
+        room.give(self.numbers);
     }
 }
 
@@ -60,16 +61,17 @@ pub(crate) fn match_pose<'py>(
     let mut near = Vec::new();
     if let Some(position) = one_point(points, "points")? {
         let pose = VehiclePose { position, heading: heading.extract()? };
-        let covariance = Covariances::of(covariance, 1)?;
-        let none = ask(&pose, covariance.of_row(0), &mut near);
+        let covariance = Covariances::of(covariance, 1, &mut Room::default())?;
+        let none = ask(&pose, &covariance.of_row(0), &mut near);
         let none = none.map_err(matching)?;
         let lanes = near.iter().map(|found| lane_match(py, held, found));
         let lanes = pyo3::types::PyTuple::new(py, lanes.collect::<PyResult<Vec<_>>>()?)?;
         return result(py, "PoseMatch", &fields!(py, none = none, lanes = lanes));
     }
-    let points = Rows::of(points, "points", &[2, 3])?;
-    let headings = column(heading, "heading", points.len())?;
-    let covariance = Covariances::of(covariance, points.len())?;
+    let mut room = Room::default();
+    let points = Rows::of(points, "points", &[2, 3], &mut room)?;
+    let headings = column(heading, "heading", points.len(), &mut room)?;
+    let covariance = Covariances::of(covariance, points.len(), &mut room)?;
     let all = py.detach(|| {
         let content = content(map);
         let (mut of, mut forward) = (Vec::new(), Vec::new());
@@ -77,7 +79,7 @@ pub(crate) fn match_pose<'py>(
         let mut found = Positions::default();
         for (row, position) in points.points().enumerate() {
             let pose = VehiclePose { position, heading: headings[row] };
-            let none = ask(&pose, covariance.of_row(row), &mut near);
+            let none = ask(&pose, &covariance.of_row(row), &mut near);
             let none = none.map_err(|error| (row, error))?;
             let mut push = |is_forward: bool, values: [f64; 3]| {
                 of.push(row as i64);
@@ -96,7 +98,7 @@ pub(crate) fn match_pose<'py>(
         all.extend(found.columns());
         Ok(all)
     });
-    columns(py, "LaneMatches", all.map_err(match_in_row)?, None)
+    columns(py, "LaneMatches", all.map_err(match_in_row)?)
 }
 
 /// Where each fix of a trace was.
@@ -109,36 +111,39 @@ pub(crate) fn match_trace<'py>(
     options: &TraceOptions,
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let points = Rows::of(points, "points", &[2, 3])?;
-    let time = column(time, "time", points.len())?;
-    let headings = heading.map(|heading| column(heading, "heading", points.len())).transpose()?;
-    let fixes: Vec<_> = points
-        .points()
-        .enumerate()
-        .map(|(row, position)| TraceFix {
-            time: time[row],
-            position,
-            heading: headings.as_ref().map(|all| all[row]).filter(|heading| !heading.is_nan()),
-        })
-        .collect();
+    let mut room = Room::of(py, "TraceMatches", out)?;
+    let points = Rows::of(points, "points", &[2, 3], &mut room)?;
+    let rows = points.len();
+    let time = column(time, "time", rows, &mut room)?;
+    let headings =
+        heading.map(|heading| column(heading, "heading", rows, &mut room)).transpose()?;
     let all = py
         .detach(|| {
-            let (mut scratch, mut found) = (TraceScratch::default(), Vec::new());
-            held.map().match_trace(&fixes, options, &mut scratch, &mut found)?;
+            room.fixes.clear();
+            room.fixes.extend(points.points().enumerate().map(|(row, position)| TraceFix {
+                time: time[row],
+                position,
+                heading: headings.as_ref().map(|all| all[row]).filter(|heading| !heading.is_nan()),
+            }));
+            points.give(&mut room);
+            [Some(time), headings].into_iter().flatten().for_each(|column| room.give(column));
+            let Room { fixes, trace, matches, .. } = &mut *room;
+            held.map().match_trace(fixes, options, trace, matches)?;
             let content = content(held.map());
-            let mut places = Positions::with_capacity(found.len());
-            for one in &found {
+            let mut places = Positions::with_room(rows, &mut room);
+            let (mut forward, mut probability) = (room.take(rows), room.take(rows));
+            for one in &room.matches {
                 match &one.place {
                     Some(place) => places.push(content, place.lane.row(), &place.position),
                     None => places.push_none(),
                 }
+                forward.push(one.forward);
+                probability.push(one.probability);
             }
-            let forward = found.iter().map(|one| one.forward).collect();
-            let probability = found.iter().map(|one| one.probability).collect();
             let mut all = vec![Column::Flags(forward), Column::Numbers(probability)];
             all.extend(places.columns());
             Ok::<_, MatchError>(all)
         })
         .map_err(matching)?;
-    columns(py, "TraceMatches", all, out)
+    room.columns(py, "TraceMatches", all, out)
 }

@@ -1,14 +1,13 @@
 //! A route as one line.
 
-use crate::batch::{Column, Speeds, answer, clamped_code, columns, fields, result, speed_rule};
+use crate::batch::{Speeds, answer, clamped_code, fields, result, speed_rule};
 use crate::errors::{query, raise};
 use crate::held::{Held, content, id};
 use crate::input::{Rows, finite, lane_of, one_point, rules_of, vehicle_of};
 use crate::lane::Lane;
+use crate::room::{Column, Room};
 use mapd_client::QueryError;
-use mapd_client::path::{
-    Corridor, PathBuffer, PathConflict, PathOptions, PathPoint, PathPosition, YieldsBy,
-};
+use mapd_client::path::{PathBuffer, PathConflict, PathOptions, PathPoint, PathPosition, YieldsBy};
 use mapd_client::route::{Enter, PositionOnLane, RouteStep};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -106,12 +105,8 @@ struct Columns<const N: usize> {
 }
 
 impl<const N: usize> Columns<N> {
-    fn with_capacity(rows: usize) -> Self {
-        Self {
-            numbers: std::array::from_fn(|_| Vec::with_capacity(rows)),
-            lanes: Vec::with_capacity(rows),
-            clamped: Vec::with_capacity(rows),
-        }
+    fn with_room(rows: usize, room: &mut Room) -> Self {
+        Self { numbers: room.numbers(rows), lanes: room.take(rows), clamped: room.take(rows) }
     }
 
     fn push(&mut self, values: [f64; N], lane: u64, clamped: i8) {
@@ -184,18 +179,20 @@ impl Path {
             );
             return result(py, "PathPoint", &fields);
         }
-        let along = crate::input::column_of_any(along, "along")?;
+        let mut room = Room::of(py, "PathPoints", out)?;
+        let along = crate::input::column_of_any(along, "along", &mut room)?;
         let found = answer(py, || {
             let content = content(self.held.map());
-            let mut found = Columns::with_capacity(along.len());
+            let mut found = Columns::with_room(along.len(), &mut room);
             for (row, along) in along.iter().enumerate() {
                 let at = path.at(*along).map_err(|error| (row, error))?;
                 let lane = id(content, at.lane.row());
                 found.push(point_values(&at), lane, clamped_code(at.clamped));
             }
+            room.give(along);
             Ok(found)
         })?;
-        columns(py, "PathPoints", found.columns(), out)
+        room.columns(py, "PathPoints", found.columns(), out)
     }
 
     /// Points in the path's coordinates. `hint` is an S [m] near which to look first.
@@ -222,18 +219,20 @@ impl Path {
             );
             return result(py, "PathPosition", &fields);
         }
-        let points = Rows::of(points, "points", &[2, 3])?;
+        let mut room = Room::of(py, "PathPositions", out)?;
+        let points = Rows::of(points, "points", &[2, 3], &mut room)?;
         let found = answer(py, || {
             let content = content(self.held.map());
-            let mut found = Columns::with_capacity(points.len());
+            let mut found = Columns::with_room(points.len(), &mut room);
             for (row, point) in points.points().enumerate() {
                 let at = path.project(point.xy, hint).map_err(|error| (row, error))?;
                 let lane = id(content, at.lane.row());
                 found.push(position_values(&at), lane, clamped_code(at.clamped));
             }
+            points.give(&mut room);
             Ok(found)
         })?;
-        columns(py, "PathPositions", found.columns(), out)
+        room.columns(py, "PathPositions", found.columns(), out)
     }
 
     /// Speed limits at S [m]; in a junction those that come in on the path.
@@ -250,15 +249,17 @@ impl Path {
         if let Ok(along) = along.extract::<f64>() {
             return speed_rule(py, &self.held, &rule(along).map_err(query)?);
         }
-        let along = crate::input::column_of_any(along, "along")?;
+        let mut room = Room::of(py, "SpeedRules", out)?;
+        let along = crate::input::column_of_any(along, "along", &mut room)?;
         let found = answer(py, || {
-            let mut found = Speeds::with_capacity(along.len());
+            let mut found = Speeds::with_room(along.len(), &mut room);
             for (row, along) in along.iter().enumerate() {
                 found.push(&rule(*along).map_err(|error| (row, error))?);
             }
+            room.give(along);
             Ok(found)
         })?;
-        columns(py, "SpeedRules", found.columns(), out)
+        room.columns(py, "SpeedRules", found.columns(), out)
     }
 
     /// The room along the path, a station every `step` [m] from `start` [m] on, `length` [m] far.
@@ -275,13 +276,9 @@ impl Path {
         let path = self.path().map_err(query)?;
         let vehicle = vehicle_of(vehicle)?;
         let length = length.unwrap_or_else(|| path.length());
-        let found = py
-            .detach(|| {
-                let mut found = Corridor::default();
-                path.corridor(start, length, step, vehicle, &mut found).map(|()| found)
-            })
-            .map_err(query)?;
-        crate::along::room(py, &self.held, &found, out)
+        crate::along::corridor(py, &self.held, out, |found| {
+            path.corridor(start, length, step, vehicle, found)
+        })
     }
 
     /// The road's surface at the stations that corridor has for the same numbers [m].

@@ -1,9 +1,10 @@
 //! Routes by request: several starts and goals, lanes to avoid, costs of turns; alternatives; the network that can be reached.
 
-use crate::batch::{Column, columns, fields, result};
+use crate::batch::{columns, fields, result};
 use crate::errors::routing;
 use crate::held::Held;
 use crate::input::{lanes_of, place_of, vehicle_of};
+use crate::room::Column;
 use crate::route::{Cost, found_route, pieces_result};
 use mapd_client::route::{
     AlternativeOptions, Enter, Reach, Route, RouteEnd, RouteError, RouteRequest, RouteScratch,
@@ -131,7 +132,7 @@ pub(crate) fn network_result<'py>(
     let fields = fields!(
         py,
         pieces = pieces_result(py, held, found.reached())?,
-        links = columns(py, "ReachLinks", links, None)?,
+        links = columns(py, "ReachLinks", links)?,
     );
     result(py, "Reach", &fields)
 }

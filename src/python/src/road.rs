@@ -1,14 +1,15 @@
 //! Roads and their track coordinates.
 
 use crate::batch::{
-    answer, clamped_code, columns, fields, in_row, material, pose, pose_columns, result,
+    answer, clamped_code, feet, fields, in_row, material, pose, pose_columns, poses, result,
     track_columns,
 };
 use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::{Rows, one, one_point, places};
 use crate::lane::Lane;
-use mapd_client::batch::{Poses, TrackPositions, Tracks};
+use crate::room::Room;
+use mapd_client::batch::Tracks;
 use mapd_client::compiling::ByRow as _;
 use mapd_client::{QueryError, Track};
 use pyo3::prelude::*;
@@ -129,15 +130,19 @@ impl Road {
         if let Some(numbers) = one(tracks, "tracks", &[2, 3])? {
             return pose(py, &road.to_inertial(track(&numbers)).map_err(query)?);
         }
-        let tracks = Rows::of(tracks, "tracks", &[2, 3])?;
+        let mut room = Room::of(py, "Poses", out)?;
+        let tracks = Rows::of(tracks, "tracks", &[2, 3], &mut room)?;
         let found = answer(py, || {
-            let (columns, mut found) = (tracks.columns(), Poses::default());
+            let columns = tracks.columns(&mut room);
+            let mut found = poses(tracks.len(), &mut room);
             let column = |k: usize| columns.get(k).map(Vec::as_slice);
             let [s, t] = [column(0), column(1)].map(Option::unwrap_or_default);
             road.to_inertial_batch(Tracks { s, t, h: column(2) }, &mut found).map_err(in_row)?;
-            Ok(found)
+            columns.into_iter().for_each(|column| room.give(column));
+            tracks.give(&mut room);
+            Ok(pose_columns(found, &mut room))
         })?;
-        columns(py, "Poses", pose_columns(found), out)
+        room.columns(py, "Poses", found, out)
     }
 
     /// Feet of points on the reference line.
@@ -162,13 +167,17 @@ impl Road {
             );
             return result(py, "TrackPosition", &fields);
         }
-        let points = Rows::of(points, "points", &[2, 3])?;
+        let mut room = Room::of(py, "Tracks", out)?;
+        let points = Rows::of(points, "points", &[2, 3], &mut room)?;
         let found = answer(py, || {
-            let (columns, mut found) = (points.columns(), TrackPositions::default());
+            let columns = points.columns(&mut room);
+            let mut found = feet(points.len(), &mut room);
             road.to_track_batch(places(&columns), &mut found).map_err(in_row)?;
-            Ok(found)
+            columns.into_iter().for_each(|column| room.give(column));
+            points.give(&mut room);
+            Ok(track_columns(found, &mut room))
         })?;
-        columns(py, "Tracks", track_columns(found), out)
+        room.columns(py, "Tracks", found, out)
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

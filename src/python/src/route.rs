@@ -1,11 +1,12 @@
 //! Routes, what can be reached, and what lies ahead.
 
-use crate::batch::{Column, columns, fields, result};
+use crate::batch::{columns, fields, result};
 use crate::errors::{query, routing};
 use crate::held::{Held, content, id};
 use crate::input::{column_of_any, place_of, vehicle_of};
 use crate::lane::Lane;
 use crate::request::network_result;
+use crate::room::{Column, Room};
 use crate::signal::Signal;
 use mapd_client::graph::LaneNode;
 use mapd_client::route::{
@@ -51,7 +52,8 @@ impl Cost {
                 )));
             }
         };
-        let factors = factors.map(|all| column_of_any(all, "factors")).transpose()?;
+        let factors =
+            factors.map(|all| column_of_any(all, "factors", &mut Room::default())).transpose()?;
         Ok(Self { plain, factors: factors.unwrap_or_default() })
     }
 
@@ -210,7 +212,7 @@ pub(crate) fn pieces_result<'py>(
         numbers(|one| one.cost),
         Column::Counts(pieces.iter().map(|one| i64::from(one.lane_changes)).collect()),
     ];
-    columns(py, "Reached", all, None)
+    columns(py, "Reached", all)
 }
 
 /// All sequences of lanes ahead of a place, or behind it, without changes of lane. Iterate over it to get one by one, each a list of lanes; their number doubles with each fork.

@@ -1,10 +1,11 @@
 //! What sensors and wheels meet: landmarks, paint, the plane below a vehicle.
 
-use crate::batch::{Column, answer, columns, fields, in_row, result};
+use crate::batch::{answer, columns, fields, in_row, result};
 use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::{Rows, column, one_point};
 use crate::object::Object;
+use crate::room::{Column, Room};
 use crate::signal::Signal;
 use mapd_client::Region;
 use mapd_client::glam::DVec2;
@@ -103,12 +104,12 @@ pub(crate) fn mark_points<'py>(
         codes(|one| one.kind.code()),
         codes(|one| one.color.code()),
     ];
-    columns(py, "MarkPoints", all, None)
+    columns(py, "MarkPoints", all)
 }
 
 /// Four wheels, from an array of shape (4, 2).
 fn wheels_of(what: &Bound<'_, PyAny>) -> PyResult<[DVec2; 4]> {
-    let rows = Rows::of(what, "wheels", &[2])?;
+    let rows = Rows::of(what, "wheels", &[2], &mut Room::default())?;
     let all: Vec<DVec2> = rows.points().map(|point| point.xy).collect();
     all.try_into().map_err(|all: Vec<DVec2>| {
         PyValueError::new_err(format!(
@@ -133,28 +134,33 @@ pub(crate) fn stance<'py>(
     wheels: &Bound<'py, PyAny>,
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Option<Bound<'py, PyAny>>> {
-    let (map, wheels, mut scratch) = (held.map(), wheels_of(wheels)?, GroundScratch::default());
+    let (map, wheels) = (held.map(), wheels_of(wheels)?);
     if let Some(position) = one_point(points, "points")? {
         let pose = VehiclePose { position, heading: heading.extract()? };
-        let Some(own) = map.stance(&pose, &wheels, &mut scratch).map_err(query)? else {
+        let Some(own) = map.stance(&pose, &wheels, &mut GroundScratch::default()).map_err(query)?
+        else {
             return Ok(None);
         };
         let wheels = PyTuple::new(py, own.wheels)?;
         let fields = fields!(py, z = own.z, roll = own.roll, pitch = own.pitch, wheels = wheels);
         return result(py, "Stance", &fields).map(Some);
     }
-    let points = Rows::of(points, "points", &[2, 3])?;
-    let headings = column(heading, "heading", points.len())?;
+    let mut room = Room::of(py, "Stances", out)?;
+    let points = Rows::of(points, "points", &[2, 3], &mut room)?;
+    let headings = column(heading, "heading", points.len(), &mut room)?;
     let numbers = answer(py, || {
-        let mut numbers: [Vec<f64>; 7] = std::array::from_fn(|_| Vec::with_capacity(points.len()));
+        let mut numbers: [Vec<f64>; 7] = room.numbers(points.len());
         for (row, position) in points.points().enumerate() {
             let pose = VehiclePose { position, heading: headings[row] };
-            let found = map.stance(&pose, &wheels, &mut scratch);
+            let found = map.stance(&pose, &wheels, &mut room.ground);
             let found = found.map_err(|error| (row, in_row(error).1))?;
             let values = values(found.as_ref());
             numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
         }
+        points.give(&mut room);
+        room.give(headings);
         Ok(numbers)
     })?;
-    columns(py, "Stances", numbers.into_iter().map(Column::Numbers).collect(), out).map(Some)
+    let all = numbers.into_iter().map(Column::Numbers).collect();
+    room.columns(py, "Stances", all, out).map(Some)
 }

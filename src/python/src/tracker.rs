@@ -1,11 +1,12 @@
 //! The lane of a vehicle that drives, from fix to fix.
 
-use crate::batch::{Column, Positions, columns, fields, result};
+use crate::batch::{Positions, fields, result};
 use crate::errors::{match_in_row, matching};
 use crate::held::{Held, content};
 use crate::input::{Rows, column, lanes_of, one_point, types_of, vehicle_of};
 use crate::map::Map;
 use crate::matching::{Covariances, lane_match};
+use crate::room::{Column, Room};
 use mapd_client::localisation::{MatchOptions, Tracked, TrackerFix, TrackerOptions, VehiclePose};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{LaneId, LaneTypes};
@@ -136,7 +137,7 @@ impl Tracker {
             let fix = TrackerFix {
                 time: time.extract()?,
                 pose: VehiclePose { position, heading: heading.extract()? },
-                covariance: *Covariances::of(covariance, 1)?.of_row(0),
+                covariance: Covariances::of(covariance, 1, &mut Room::default())?.of_row(0),
                 odometer: odometer.map(|way| way.extract()).transpose()?,
             };
             let found = self.with(py, |state| {
@@ -153,22 +154,24 @@ impl Tracker {
             };
             return result(py, "Tracked", &fields!(py, state = state, found = found));
         }
-        let points = Rows::of(points, "points", &[2, 3])?;
+        let mut room = Room::of(py, "TrackedFixes", out)?;
+        let points = Rows::of(points, "points", &[2, 3], &mut room)?;
         let rows = points.len();
-        let (time, headings) = (column(time, "time", rows)?, column(heading, "heading", rows)?);
-        let covariances = Covariances::of(covariance, rows)?;
-        let ways = odometer.map(|way| column(way, "odometer", rows)).transpose()?;
+        let time = column(time, "time", rows, &mut room)?;
+        let headings = column(heading, "heading", rows, &mut room)?;
+        let covariances = Covariances::of(covariance, rows, &mut room)?;
+        let ways = odometer.map(|way| column(way, "odometer", rows, &mut room)).transpose()?;
         let all = self.with(py, |state| {
             let content = content(held.map());
-            let (mut states, mut forward) = (Vec::new(), Vec::new());
-            let mut numbers: [Vec<f64>; 2] = Default::default();
-            let mut places = Positions::with_capacity(rows);
+            let (mut states, mut forward) = (room.take(rows), room.take(rows));
+            let mut numbers: [Vec<f64>; 2] = room.numbers(rows);
+            let mut places = Positions::with_room(rows, &mut room);
             for (row, position) in points.points().enumerate() {
                 let way = ways.as_ref().map(|all| all[row]).filter(|way| !way.is_nan());
                 let fix = TrackerFix {
                     time: time[row],
                     pose: VehiclePose { position, heading: headings[row] },
-                    covariance: *covariances.of_row(row),
+                    covariance: covariances.of_row(row),
                     odometer: way,
                 };
                 let found = state.tracker.update(held.map(), &fix, &options);
@@ -192,9 +195,13 @@ impl Tracker {
             let mut all = vec![Column::Codes(states), Column::Flags(forward)];
             all.extend(numbers.into_iter().map(Column::Numbers));
             all.extend(places.columns());
+            points.give(&mut room);
+            covariances.give(&mut room);
+            [Some(time), Some(headings), ways].into_iter().flatten().for_each(|one| room.give(one));
             Ok(all)
         });
-        columns(py, "TrackedFixes", all.map_err(match_in_row)?, out)
+        let all = all.map_err(match_in_row)?;
+        room.columns(py, "TrackedFixes", all, out)
     }
 
     /// The lanes that the vehicle may be in, the most probable first, and the probability that it is in none.

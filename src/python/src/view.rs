@@ -1,16 +1,17 @@
 //! A map under what is laid over it, at a moment.
 
-use crate::batch::{Column, answer, columns, fields, overtaking_rule, result, speed_rule};
+use crate::batch::{answer, columns, fields, overtaking_rule, result, speed_rule};
 use crate::errors::{query, raise, routing};
 use crate::held::{Held, content, id};
 use crate::input::{column, finite, lane_of_id, place_of, vehicle_of};
 use crate::lane::Lane;
 use crate::path::Path;
+use crate::room::{Column, Room};
 use crate::route::{Cost, ahead_result, found_route, pieces_result};
 use crate::signal::Signal;
 use mapd_client::QueryError;
-use mapd_client::path::{Corridor, PathError};
-use mapd_client::route::{AlternativeOptions, RouteScratch};
+use mapd_client::path::PathError;
+use mapd_client::route::RouteScratch;
 use mapd_client::signals::SignalsAhead;
 use mapd_client::view::{OverlayEntry, Restriction, SpeedToday};
 use mapd_client::vocabulary::VehicleClass;
@@ -109,7 +110,6 @@ impl View {
 }
 
 /// Columns of speed limits of today.
-#[derive(Default)]
 struct Speeds {
     max: Vec<f64>,
     map: Vec<f64>,
@@ -117,6 +117,11 @@ struct Speeds {
 }
 
 impl Speeds {
+    fn with_room(rows: usize, room: &mut Room) -> Self {
+        let [max, map] = room.numbers(rows);
+        Self { max, map, entry: room.take(rows) }
+    }
+
     fn push(&mut self, today: &SpeedToday<'_>) {
         self.max.push(today.max.unwrap_or(f64::NAN));
         self.map.push(today.map.max.unwrap_or(f64::NAN));
@@ -169,7 +174,7 @@ impl View {
             Column::Numbers(to),
             Column::Counts(entry),
         ];
-        columns(py, "Restrictions", all, None)
+        columns(py, "Restrictions", all)
     }
 
     /// Entries that hold now at a place, in the lane's own direction.
@@ -235,10 +240,11 @@ impl View {
             let fields = fields!(py, is_allowed = found.is_allowed, restriction = restriction);
             return result(py, "Permission", &fields);
         };
-        let lanes = crate::input::ids(place, "lanes", None)?;
-        let s = column(s, "s", lanes.len())?;
+        let mut room = Room::of(py, "Permissions", out)?;
+        let lanes = crate::input::ids(place, "lanes", None, &mut room)?;
+        let s = column(s, "s", lanes.len(), &mut room)?;
         let (flags, entries) = answer(py, || {
-            let (mut flags, mut entries) = (Vec::new(), Vec::new());
+            let (mut flags, mut entries) = (room.take(lanes.len()), room.take(lanes.len()));
             for (row, id) in lanes.iter().enumerate() {
                 let of_row = |error: QueryError| (row, error);
                 let lane = lane_of_id(self.held.map(), *id).map_err(of_row)?;
@@ -246,9 +252,11 @@ impl View {
                 flags.push(found.is_allowed);
                 entries.push(number(found.restriction.as_ref()));
             }
+            room.give(lanes);
+            room.give(s);
             Ok((flags, entries))
         })?;
-        columns(py, "Permissions", vec![Column::Flags(flags), Column::Counts(entries)], out)
+        room.columns(py, "Permissions", vec![Column::Flags(flags), Column::Counts(entries)], out)
     }
 
     /// The speed limit at a place, or of many lanes, by their ids, each at its s [m]: the lowest that an entry states, else the map's.
@@ -267,19 +275,22 @@ impl View {
             let found = view.speed_rule_at(place.lane, place.s, vehicle).map_err(query)?;
             return self.speed(py, &found);
         };
-        let lanes = crate::input::ids(place, "lanes", None)?;
-        let s = column(s, "s", lanes.len())?;
+        let mut room = Room::of(py, "SpeedsToday", out)?;
+        let lanes = crate::input::ids(place, "lanes", None, &mut room)?;
+        let s = column(s, "s", lanes.len(), &mut room)?;
         let found = answer(py, || {
-            let mut found = Speeds::default();
+            let mut found = Speeds::with_room(lanes.len(), &mut room);
             for (row, id) in lanes.iter().enumerate() {
                 let of_row = |error: QueryError| (row, error);
                 let lane = lane_of_id(self.held.map(), *id).map_err(of_row)?;
                 let s = finite(s[row]).map_err(of_row)?;
                 found.push(&view.speed_rule_at(lane.lane_id(), s, vehicle).map_err(of_row)?);
             }
+            room.give(lanes);
+            room.give(s);
             Ok(found)
         })?;
-        columns(py, "SpeedsToday", found.columns(), out)
+        room.columns(py, "SpeedsToday", found.columns(), out)
     }
 
     /// Whether a class of vehicles may overtake at a place: what signs forbid, and entries. What road marks forbid is with the lane graph's lane changes.
@@ -316,16 +327,18 @@ impl View {
         if let Ok(along) = along.extract::<f64>() {
             return self.speed(py, &view.speed_on_path(&path, along, vehicle).map_err(query)?);
         }
-        let along = crate::input::column_of_any(along, "along")?;
+        let mut room = Room::of(py, "SpeedsToday", out)?;
+        let along = crate::input::column_of_any(along, "along", &mut room)?;
         let found = answer(py, || {
-            let mut found = Speeds::default();
+            let mut found = Speeds::with_room(along.len(), &mut room);
             for (row, along) in along.iter().enumerate() {
                 let today = view.speed_on_path(&path, *along, vehicle);
                 found.push(&today.map_err(|error| (row, error))?);
             }
+            room.give(along);
             Ok(found)
         })?;
-        columns(py, "SpeedsToday", found.columns(), out)
+        room.columns(py, "SpeedsToday", found.columns(), out)
     }
 
     /// The speed limits along a path, in ascending S without gaps.
@@ -548,13 +561,9 @@ impl View {
     ) -> PyResult<Bound<'py, PyAny>> {
         let (path, vehicle) = (path.get().path().map_err(query)?, vehicle_of(vehicle)?);
         let length = length.unwrap_or_else(|| path.length());
-        let found = py
-            .detach(|| {
-                let (view, mut found) = (self.view(), Corridor::default());
-                view.corridor(&path, start, length, step, vehicle, &mut found).map(|()| found)
-            })
-            .map_err(query)?;
-        crate::along::room(py, &self.held, &found, out)
+        crate::along::corridor(py, &self.held, out, |found| {
+            self.view().corridor(&path, start, length, step, vehicle, found)
+        })
     }
 
     /// As Map.signals_ahead [m]: ways through closed lanes are not followed.

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     import pandas
     import polars
 
+    from ._mapd import Memory
+
 _Self = TypeVar("_Self", bound="Columns")
 
 _ROWS_SHOWN = 5
@@ -33,12 +35,14 @@ _DTYPES: dict[str, type[np.generic]] = {
 class Columns:
     """Named columns of one length: attributes, ``columns["s"]``, ``dict(columns)``, ``to_pandas()``, ``to_polars()``.
 
-    ``Class(n)`` makes one with room for n rows, to be given as ``out=`` to calls that fill it again and again.
+    ``Class(n)`` makes one with room for n rows, to be given as ``out=`` to calls that fill it again and again. It keeps the memory that a call needs, as much again as the
+    columns have, so that from the second call on nothing is allocated that grows with n. An error leaves the columns as they were.
     """
 
     _dtypes: ClassVar[dict[str, type[np.generic]]] = {}
-    __slots__ = ("_arrays",)
+    __slots__ = ("_arrays", "_memory")
     _arrays: dict[str, NDArray[Any]]
+    _memory: Memory | None
 
     def __init_subclass__(cls) -> None:
         """A class is its annotations: its own columns, then those that it inherits."""
@@ -47,20 +51,14 @@ class Columns:
 
     def __init__(self, rows: int) -> None:
         self._arrays = {name: np.empty(rows, dtype) for name, dtype in self._dtypes.items()}
+        self._memory = None
 
     @classmethod
-    def _of(cls: type[_Self], arrays: Sequence[NDArray[Any]], out: _Self | None) -> _Self:
-        if out is None:
-            made = cls.__new__(cls)
-            made._arrays = dict(zip(cls._dtypes, arrays, strict=True))
-            return made
-        if type(out) is not cls:
-            raise TypeError(f"out: expected {cls.__name__}, found {type(out).__name__}")
-        if len(out) != len(arrays[0]):
-            raise ValueError(f"out: expected {len(arrays[0])} rows, found {len(out)}")
-        for own, array in zip(out._arrays.values(), arrays, strict=True):
-            np.copyto(own, array, casting="no")
-        return out
+    def _of(cls: type[_Self], arrays: Sequence[NDArray[Any]]) -> _Self:
+        made = cls.__new__(cls)
+        made._arrays = dict(zip(cls._dtypes, arrays, strict=True))
+        made._memory = None
+        return made
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -88,6 +86,7 @@ class Columns:
 
     def __setstate__(self, arrays: dict[str, NDArray[Any]]) -> None:
         self._arrays = arrays
+        self._memory = None
 
     def to_dict(self) -> dict[str, NDArray[Any]]:
         """The columns by name, not copied."""

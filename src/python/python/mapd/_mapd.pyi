@@ -122,6 +122,7 @@ __all__ = [
     "View",
     "Tracker",
     "LaneSequences",
+    "Memory",
     "open_archive",
     "read_file",
     "outline",
@@ -1287,3 +1288,7 @@ class Tracker:
         """Probability that the vehicle is in one of these lanes, such as those of its route."""
     def reset(self) -> None:
         """Forgets everything."""
+
+@final
+class Memory:
+    """What `out` keeps for the next call that fills it."""

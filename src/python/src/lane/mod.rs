@@ -5,12 +5,13 @@ mod movement;
 mod shape;
 
 use crate::batch::{
-    Column, columns, fields, overtaking_rule, pose, position_fields, result, speed_rule, triples,
+    columns, fields, overtaking_rule, pose, position_fields, result, speed_rule, triples,
 };
 use crate::errors::query;
 use crate::held::{Held, content, id};
 use crate::input::{one_point, vehicle_of};
 use crate::road::Road;
+use crate::room::Column;
 pub(crate) use graph::object_lane;
 use mapd_client::compiling::ByRow as _;
 use mapd_client::roads::{LinePoint, Polyline};
@@ -213,7 +214,7 @@ impl Lane {
             let values = [at.s, p.x, p.y, p.z, at.heading, at.width];
             numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
         }
-        columns(py, "Waypoints", numbers.into_iter().map(Column::Numbers).collect(), None)
+        columns(py, "Waypoints", numbers.into_iter().map(Column::Numbers).collect())
     }
 
     fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {

@@ -1,9 +1,10 @@
 //! Points on Earth.
 
 use super::Map;
-use crate::batch::{Column, columns};
+use crate::batch::columns;
 use crate::errors::{query, raise};
 use crate::input::Rows;
+use crate::room::{Column, Room};
 use mapd_client::geodesy::{Geodetic, GeodeticError, GeodeticPoint};
 use mapd_client::glam::DVec3;
 use pyo3::exceptions::PyTypeError;
@@ -94,7 +95,7 @@ fn converted<'py>(
         let [a, b, c] = ask(&one).map_err(|error| said(0, error))?;
         return Ok(pyo3::types::PyTuple::new(py, [a, b, c])?.into_any());
     }
-    let rows = Rows::of(what, name, &[2, 3])?;
+    let rows = Rows::of(what, name, &[2, 3], &mut Room::default())?;
     let found = py.detach(|| {
         let mut found: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(rows.len()));
         for (row, one) in rows.rows().enumerate() {
@@ -104,5 +105,5 @@ fn converted<'py>(
         Ok(found)
     });
     let found = found.map_err(|(row, error)| said(row, error))?;
-    columns(py, class, found.into_iter().map(Column::Numbers).collect(), None)
+    columns(py, class, found.into_iter().map(Column::Numbers).collect())
 }

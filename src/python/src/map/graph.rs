@@ -1,9 +1,10 @@
 //! The lane graph.
 
 use super::Map;
-use crate::batch::{Column, columns, fields, result};
+use crate::batch::{columns, fields, result};
 use crate::held::{content, id};
 use crate::input::NONE_ID;
+use crate::room::Column;
 use mapd_client::SRange;
 use mapd_client::graph::LaneNode;
 use pyo3::prelude::*;
@@ -66,8 +67,8 @@ impl Map {
         });
         let fields = fields!(
             py,
-            nodes = columns(py, "LaneNodes", nodes, None)?,
-            edges = columns(py, "LaneEdges", edges, None)?,
+            nodes = columns(py, "LaneNodes", nodes)?,
+            edges = columns(py, "LaneEdges", edges)?,
         );
         result(py, "LaneGraph", &fields)
     }

@@ -1,12 +1,13 @@
 //! Points in the coordinates of lanes, and lanes at points.
 
 use super::Map;
-use crate::batch::{Column, Positions, Speeds, answer, columns, in_row, position_fields, result};
+use crate::batch::{Positions, Speeds, answer, columns, in_row, nearest, position_fields, result};
 use crate::errors::query;
 use crate::held::content;
 use crate::input::{Rows, column, finite, lane_of_id, one_point, places, types_of};
 use crate::lane::Lane;
-use mapd_client::batch::{BatchScratch, NearestLanes, Places};
+use crate::room::{Column, Room};
+use mapd_client::batch::Places;
 use mapd_client::{LaneTypes, Nearest, NearestOptions};
 use pyo3::prelude::*;
 
@@ -40,8 +41,12 @@ pub(super) fn options(
 }
 
 /// A heading for each row, if any.
-fn headings(heading: Option<&Bound<'_, PyAny>>, rows: usize) -> PyResult<Option<Vec<f64>>> {
-    heading.map(|heading| column(heading, "heading", rows)).transpose()
+fn headings(
+    heading: Option<&Bound<'_, PyAny>>,
+    rows: usize,
+    room: &mut Room,
+) -> PyResult<Option<Vec<f64>>> {
+    heading.map(|heading| column(heading, "heading", rows, room)).transpose()
 }
 
 #[pymethods]
@@ -70,16 +75,19 @@ impl Map {
             let hit = self.map().nearest_lane(point, &options).map_err(query)?;
             return hit.map(|hit| self.nearest_result(py, &hit)).transpose();
         }
-        let points = Rows::of(points, "points", &[2, 3])?;
-        let headings = headings(heading, points.len())?;
+        let mut room = Room::of(py, "NearestLanes", out)?;
+        let points = Rows::of(points, "points", &[2, 3], &mut room)?;
+        let headings = headings(heading, points.len(), &mut room)?;
         let found = answer(py, || {
-            let (map, columns) = (self.map(), points.columns());
+            let (map, columns) = (self.map(), points.columns(&mut room));
             let places = Places { heading: headings.as_deref(), ..places(&columns) };
-            let (mut scratch, mut found) = (BatchScratch::default(), NearestLanes::default());
-            map.nearest_lanes(places, &options, &mut scratch, &mut found).map_err(in_row)?;
-            Ok(Positions::of(content(map), found))
+            let mut found = nearest(points.len(), &mut room);
+            map.nearest_lanes(places, &options, &mut room.batch, &mut found).map_err(in_row)?;
+            columns.into_iter().chain(headings).for_each(|column| room.give(column));
+            points.give(&mut room);
+            Ok(Positions::of(content(map), found, &mut room))
         })?;
-        columns(py, "NearestLanes", found.columns(), out).map(Some)
+        room.columns(py, "NearestLanes", found.columns(), out).map(Some)
     }
 
     /// Every lane within `radius` [m], nearest first; options as of nearest_lane.
@@ -105,8 +113,9 @@ impl Map {
             let hits = hits.collect::<PyResult<Vec<_>>>()?;
             return Ok(pyo3::types::PyList::new(py, hits)?.into_any());
         }
-        let points = Rows::of(points, "points", &[2, 3])?;
-        let headings = headings(heading, points.len())?;
+        let mut room = Room::default();
+        let points = Rows::of(points, "points", &[2, 3], &mut room)?;
+        let headings = headings(heading, points.len(), &mut room)?;
         let (of, found) = answer(py, || {
             let map = self.map();
             let content = content(map);
@@ -125,7 +134,7 @@ impl Map {
         })?;
         let mut all = vec![Column::Counts(of)];
         all.extend(found.columns());
-        columns(py, "LanesNear", all, None)
+        columns(py, "LanesNear", all)
     }
 
     /// Each point in the coordinates of its lane.
@@ -137,20 +146,23 @@ impl Map {
         points: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let points = Rows::of(points, "points", &[2, 3])?;
-        let lanes = crate::input::ids(lanes, "lanes", Some(points.len()))?;
+        let mut room = Room::of(py, "NearestLanes", out)?;
+        let points = Rows::of(points, "points", &[2, 3], &mut room)?;
+        let lanes = crate::input::ids(lanes, "lanes", Some(points.len()), &mut room)?;
         let found = answer(py, || {
             let map = self.map();
             let content = content(map);
-            let mut found = Positions::with_capacity(points.len());
+            let mut found = Positions::with_room(points.len(), &mut room);
             for (row, (point, id)) in points.points().zip(&lanes).enumerate() {
                 let lane = lane_of_id(map, *id).map_err(|error| (row, error))?;
                 let at = lane.position_of(point).map_err(|error| (row, error))?;
                 found.push(content, lane.lane_id().row(), &at);
             }
+            points.give(&mut room);
+            room.give(lanes);
             Ok(found)
         })?;
-        columns(py, "NearestLanes", found.columns(), out)
+        room.columns(py, "NearestLanes", found.columns(), out)
     }
 
     /// Poses on lanes as their traffic has them, at s [m], `offset` [m] to the left of the lane's centre.
@@ -163,22 +175,24 @@ impl Map {
         offset: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let lanes = crate::input::ids(lanes, "lanes", None)?;
-        let s = column(s, "s", lanes.len())?;
-        let offset = match offset {
-            Some(offset) => column(offset, "offset", lanes.len())?,
-            None => vec![0.0; lanes.len()],
-        };
+        let mut room = Room::of(py, "Poses", out)?;
+        let lanes = crate::input::ids(lanes, "lanes", None, &mut room)?;
+        let s = column(s, "s", lanes.len(), &mut room)?;
+        let offset = offset.map(|offset| column(offset, "offset", lanes.len(), &mut room));
+        let offset = offset.transpose()?;
         let found = answer(py, || {
             let map = self.map();
-            let mut found = crate::batch::Poses::with_capacity(lanes.len());
+            let mut found = crate::batch::Poses::with_room(lanes.len(), &mut room);
             for (row, id) in lanes.iter().enumerate() {
                 let lane = lane_of_id(map, *id).map_err(|error| (row, error))?;
-                found.push(&lane.pose_at(s[row], offset[row]).map_err(|error| (row, error))?);
+                let offset = offset.as_ref().map_or(0.0, |offset| offset[row]);
+                found.push(&lane.pose_at(s[row], offset).map_err(|error| (row, error))?);
             }
+            room.give(lanes);
+            [Some(s), offset].into_iter().flatten().for_each(|column| room.give(column));
             Ok(found)
         })?;
-        columns(py, "Poses", found.columns(), out)
+        room.columns(py, "Poses", found.columns(), out)
     }
 
     /// Speed limits on lanes at s [m], signs included.
@@ -190,17 +204,20 @@ impl Map {
         s: &Bound<'py, PyAny>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let lanes = crate::input::ids(lanes, "lanes", None)?;
-        let s = column(s, "s", lanes.len())?;
+        let mut room = Room::of(py, "SpeedRules", out)?;
+        let lanes = crate::input::ids(lanes, "lanes", None, &mut room)?;
+        let s = column(s, "s", lanes.len(), &mut room)?;
         let found = answer(py, || {
-            let mut found = Speeds::with_capacity(lanes.len());
+            let mut found = Speeds::with_room(lanes.len(), &mut room);
             for (row, id) in lanes.iter().enumerate() {
                 let lane = lane_of_id(self.map(), *id).map_err(|error| (row, error))?;
                 let s = finite(s[row]).map_err(|error| (row, error))?;
                 found.push(&lane.speed_rule_at(s));
             }
+            room.give(lanes);
+            room.give(s);
             Ok(found)
         })?;
-        columns(py, "SpeedRules", found.columns(), out)
+        room.columns(py, "SpeedRules", found.columns(), out)
     }
 }

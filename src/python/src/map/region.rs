@@ -1,11 +1,12 @@
 //! What lies in a rectangle, beside lanes, signals and objects.
 
 use super::Map;
-use crate::batch::{Column, columns};
+use crate::batch::columns;
 use crate::errors::query;
 use crate::held::{content, id};
 use crate::input::{region_of, types_of};
 use crate::object::placement;
+use crate::room::Column;
 use mapd_client::LaneTypes;
 use mapd_client::glam::DVec2;
 use mapd_client::roads::BoundarySegment;
@@ -55,7 +56,7 @@ impl Map {
         self.map()
             .boundary_segments(region_of(region), types, &mut lanes, &mut found)
             .map_err(query)?;
-        columns(py, "BoundarySegments", self.segment_columns(found.iter()), None)
+        columns(py, "BoundarySegments", self.segment_columns(found.iter()))
     }
 
     /// As boundary_segments, where they carry road marks: cut where one mark ends and another begins.
@@ -77,7 +78,7 @@ impl Map {
             Column::Numbers(found.iter().map(|one| one.width).collect()),
         ];
         all.extend(self.segment_columns(found.iter().map(|one| &one.segment)));
-        columns(py, "RoadMarkSegments", all, None)
+        columns(py, "RoadMarkSegments", all)
     }
 
     /// As objects_near, with the place of each instead of the object.
