@@ -3,8 +3,9 @@
 // SWAP is a command that has the daemon serve another content under the same name. What no handle may keep is `attach.cpp`'s.
 #include <mapd.hpp>
 
-#include <sys/types.h>
 #include <signal.h>
+#include <sys/resource.h>
+#include <sys/types.h>
 
 #include <atomic>
 #include <chrono>
@@ -54,6 +55,17 @@ void what_is_not_served_is_refused(const std::string& name) {
   CHECK(throws(MAPD_CODE_NO_SUCH_MAP, [] { mapd::Client::connect("village", 0.2); }));
   CHECK(throws(MAPD_CODE_NO_DAEMON, [&] { mapd::Client::connect(name, 0.2, "mapdcnobody_"); }));
   CHECK(throws(MAPD_CODE_ARGUMENT, [&] { mapd::Client::connect(name, -1.0); }));
+}
+
+/// A client takes no place of the map's, but needs a file descriptor at a time.
+void without_descriptors_the_code_says_so(const std::string& name) {
+  rlimit usual{};
+  CHECK(::getrlimit(RLIMIT_NOFILE, &usual) == 0);
+  const rlimit none{0, usual.rlim_max};
+  CHECK(::setrlimit(RLIMIT_NOFILE, &none) == 0);
+  const auto client = mapd::Client::try_connect(name, 0.2);
+  CHECK(::setrlimit(RLIMIT_NOFILE, &usual) == 0);
+  CHECK(client.code() == MAPD_CODE_NO_DESCRIPTORS && client.error().message.find("file descriptors") != std::string::npos);
 }
 
 /// What is proposed is laid over the map: a waiting client is told, views name the entry, and what was held before is as it was.
@@ -133,6 +145,7 @@ int main(int argc, char** argv) try {
   const std::string name = argv[1];
   CHECK(mapd::Client::connect(name, patience).generation() >= 1);
   what_is_not_served_is_refused(name);
+  without_descriptors_the_code_says_so(name);
   overlays_come(name);
   swaps_are_seen(name, argv[3]);
   the_end_is_seen(name, static_cast<pid_t>(std::atoi(argv[2])));

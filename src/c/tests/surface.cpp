@@ -1,5 +1,6 @@
 // The C++ interface: each call without exceptions, handles that move and copy, ids that compare and hash, errors as values. Built with and
-// without exceptions. `surface ARCHIVE OTHER_ARCHIVE ARCHIVE_ON_EARTH`: the last is of a map with a projection.
+// without exceptions. `surface ARCHIVE OTHER_ARCHIVE ARCHIVE_ON_EARTH ARCHIVE_WITH_GRID`: the third
+// is of a map with a projection, the last of examples/maps/surfaces.xodr, whose junction has a grid of elevations.
 #include <mapd.hpp>
 
 #include <cmath>
@@ -35,12 +36,13 @@ void check(bool holds, const char* what, int line) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) return 1;
+  if (argc != 5) return 1;
   auto opened = mapd::Snapshot::try_open(argv[1]);
   auto other = mapd::Snapshot::try_open(argv[2]);
   auto placed = mapd::Snapshot::try_open(argv[3]);
-  CHECK(opened && other && placed);
-  if (!opened || !other || !placed) return 1;
+  auto grid = mapd::Snapshot::try_open(argv[4]);
+  CHECK(opened && other && placed && grid);
+  if (!opened || !other || !placed || !grid) return 1;
   const mapd::Snapshot map = *std::move(opened);
   mapd::Snapshot copy = map;
   mapd::Snapshot moved = std::move(copy);
@@ -178,6 +180,19 @@ int main(int argc, char** argv) {
     CHECK(error.code() == MAPD_CODE_FOREIGN_ID);
   }
 #endif
+
+  // Heights as the file writes them, at the grid's first two stations and to the left of the first.
+  const auto junction = (*grid).try_junction_by_id("grid");
+  CHECK(junction && *junction);
+  if (!junction || !*junction) return 1;
+  const auto height = [&](double x, double y) { return (*grid).try_grid_height_at(**junction, {x, y}); };
+  const auto is = [&](double x, double y, double z) {
+    const auto found = height(x, y);
+    return found && *found && std::abs((*found)->z - z) < 1e-9;
+  };
+  CHECK(is(-22.0, 0.0, 10.0) && is(-16.5, 0.0, 10.0437) && is(-22.0, 5.5, 10.1));
+  CHECK(height(NAN, 0.0).code() == MAPD_CODE_NOT_FINITE);
+  CHECK(map.try_grid_height_at(**junction, {0.0, 0.0}).code() == MAPD_CODE_FOREIGN_ID);
 
   // A snapshot that was moved from is closed.
   mapd::Snapshot kept = std::move(moved);

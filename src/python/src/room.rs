@@ -7,7 +7,9 @@ use mapd_client::batch::BatchScratch;
 use mapd_client::localisation::{GroundScratch, TraceFix, TraceMatch, TraceScratch};
 use mapd_client::path::Corridor;
 use mapd_client::{Clamped, LaneId};
-use numpy::{Element, IntoPyArray, PyArray1, PyArrayMethods};
+use numpy::{
+    Element, IntoPyArray, PyArray1, PyArrayMethods, PyReadwriteArray1, PyUntypedArrayMethods,
+};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::intern;
 use pyo3::prelude::*;
@@ -24,16 +26,6 @@ pub(crate) enum Column {
 }
 
 impl Column {
-    fn len(&self) -> usize {
-        match self {
-            Self::Ids(column) => column.len(),
-            Self::Numbers(column) => column.len(),
-            Self::Codes(column) => column.len(),
-            Self::Flags(column) => column.len(),
-            Self::Counts(column) => column.len(),
-        }
-    }
-
     fn array<'py>(self, py: Python<'py>) -> Bound<'py, PyAny> {
         match self {
             Self::Ids(column) => column.into_pyarray(py).into_any(),
@@ -44,40 +36,56 @@ impl Column {
         }
     }
 
-    /// Copies it into an array of the same type and length, and leaves its memory with the room.
+    /// Errors: an array that it cannot be copied to.
+    fn fits(&self, array: &Bound<'_, PyAny>) -> PyResult<()> {
+        match self {
+            Self::Ids(column) => writable(column, array).map(drop),
+            Self::Numbers(column) => writable(column, array).map(drop),
+            Self::Codes(column) => writable(column, array).map(drop),
+            Self::Flags(column) => writable(column, array).map(drop),
+            Self::Counts(column) => writable(column, array).map(drop),
+        }
+    }
+
+    /// Copies it into an array that it fits, and leaves its memory with the room.
     fn copy_to(self, array: &Bound<'_, PyAny>, room: &mut Room) -> PyResult<()> {
         match self {
-            Self::Ids(column) => copied(column, array, room),
-            Self::Numbers(column) => copied(column, array, room),
-            Self::Codes(column) => copied(column, array, room),
-            Self::Flags(column) => copied(column, array, room),
-            Self::Counts(column) => copied(column, array, room),
+            Self::Ids(column) => copy(column, array, room),
+            Self::Numbers(column) => copy(column, array, room),
+            Self::Codes(column) => copy(column, array, room),
+            Self::Flags(column) => copy(column, array, room),
+            Self::Counts(column) => copy(column, array, room),
         }
     }
 }
 
-fn copied<T: Kept + Element>(
+/// An array of a column's type and length, to be written to.
+fn writable<'py, T: Element>(
+    column: &[T],
+    array: &Bound<'py, PyAny>,
+) -> PyResult<PyReadwriteArray1<'py, T>> {
+    let array = array.cast::<PyArray1<T>>().map_err(|_| {
+        PyTypeError::new_err("out: expected the arrays that it was made with, found another")
+    })?;
+    let array = array.try_readwrite().map_err(|_| {
+        PyValueError::new_err("out: expected arrays that can be written to, found a read-only one")
+    })?;
+    let (rows, found) = (column.len(), array.len());
+    if found != rows {
+        return Err(PyValueError::new_err(format!("out: expected {rows} rows, found {found}")));
+    }
+    Ok(array)
+}
+
+fn copy<T: Kept + Element>(
     column: Vec<T>,
     array: &Bound<'_, PyAny>,
     room: &mut Room,
 ) -> PyResult<()> {
-    let array = array.cast::<PyArray1<T>>().map_err(|_| {
-        PyTypeError::new_err("out: expected the arrays that it was made with, found another")
-    })?;
-    let mut array = array.try_readwrite().map_err(|_| {
-        PyValueError::new_err("out: expected arrays that can be written to, found a read-only one")
-    })?;
-    let mut array = array.as_array_mut();
-    if array.len() != column.len() {
-        return Err(wrong_length(column.len(), array.len()));
-    }
-    array.iter_mut().zip(&column).for_each(|(to, from)| *to = *from);
+    let mut array = writable(&column, array)?;
+    array.as_array_mut().iter_mut().zip(&column).for_each(|(to, from)| *to = *from);
     room.give(column);
     Ok(())
-}
-
-fn wrong_length(rows: usize, found: usize) -> PyErr {
-    PyValueError::new_err(format!("out: expected {rows} rows, found {found}"))
 }
 
 /// What vectors are kept of.
@@ -182,11 +190,9 @@ impl Room {
             return class.call_method1(intern!(py, "_of"), (arrays,));
         };
         let arrays = out.getattr(intern!(py, "_arrays"))?.cast_into::<PyDict>()?;
-        // All or nothing: what has another length is found before anything is written.
+        // All or nothing: what does not fit is found before anything is written.
         for (array, column) in arrays.values().iter().zip(&columns) {
-            if array.len()? != column.len() {
-                return Err(wrong_length(column.len(), array.len()?));
-            }
+            column.fits(&array)?;
         }
         for (array, column) in arrays.values().iter().zip(columns) {
             column.copy_to(&array, &mut self)?;

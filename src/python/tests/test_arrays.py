@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from typing import Any
 
 import numpy as np
@@ -84,9 +85,32 @@ def test_out_is_filled_again(town: mapd.Map) -> None:
         town.nearest_lane(POINTS[:2], out=out)
     with pytest.raises(TypeError, match="expected NearestLanes, found Poses"):
         town.nearest_lane(POINTS, out=mapd.Poses(3))  # type: ignore[call-overload]
-    column.flags.writeable = False
+    before = {name: array.copy() for name, array in dict(out).items()}
+    moved = POINTS + 1.0
+    moved[2] = np.nan
+    with pytest.raises(mapd.NotFiniteError, match="row 2"):
+        town.nearest_lane(moved, out=out)
+    out.heading.flags.writeable = False
     with pytest.raises(ValueError, match="read-only"):
-        town.nearest_lane(POINTS, out=out)
+        town.nearest_lane(POINTS + 1.0, out=out)
+    # An error leaves everything as it was, and the next call is as good as the first.
+    assert all(np.array_equal(out[name], before[name], equal_nan=out[name].dtype.kind == "f") for name in out.names)
+    out.heading.flags.writeable = True
+    assert np.array_equal(town.nearest_lane(POINTS + 1.0, out=out).s, town.nearest_lane(POINTS + 1.0).s, equal_nan=True)
+
+
+def test_answers_can_be_filled_again_and_pickled(town: mapd.Map) -> None:
+    """What a call has made is as good an ``out`` as what a program makes, and what is kept with it is not copied."""
+    hits = town.nearest_lane(POINTS)
+    assert town.nearest_lane(POINTS[::-1], out=hits) is hits
+    again = pickle.loads(pickle.dumps(hits))
+    assert type(again) is mapd.NearestLanes and np.array_equal(again.lane, hits.lane)
+    assert town.nearest_lane(POINTS, out=again) is again and np.array_equal(again.lane, hits.lane[::-1])
+
+
+def test_batches_of_one(town: mapd.Map) -> None:
+    hits = town.nearest_lane(POINTS[:1], heading=np.zeros(1))
+    assert len(hits) == 1 and town.pose_at(hits.lane, hits.s, np.zeros(1)).x.shape == (1,)
 
 
 def test_columns_convert(town: mapd.Map) -> None:
