@@ -64,6 +64,8 @@ def layer(mapd, source, name, folder):
     file = folder / f"{name}.fgb"
     run(mapd, "export", source, "--format", "flatgeobuf", "--layers", name, "-o", file)
     meta, _, geometry, columns = pyogrio.raw.read(file)
+    # A box is found by the index, if there is anything to find.
+    assert pyogrio.read_info(file)["capabilities"]["fast_spatial_filter"] == bool(len(geometry)), f"index of {name}"
     rows = [dict(zip(meta["fields"], values)) for values in zip(*columns)] if len(columns) else []
     return list(zip(rows, shapely.from_wkb(geometry))), meta["crs"]
 
