@@ -22,16 +22,13 @@ uniform vec2 heights;   // lowest, and one over the span; 0 for colours by type
 uniform float alpha;    // 1 for what covers, else of the layer
 out vec4 color;
 out vec2 ground;
+out float share;        // of the heights; below 0 for a colour by type
 flat out uint kind;
-vec3 shade(float h) {   // from dark blue over green to yellow: rises in lightness
-  vec3 a = vec3(0.27, 0.0, 0.33), b = vec3(0.13, 0.57, 0.55), c = vec3(0.99, 0.91, 0.15);
-  return h < 0.5 ? mix(a, b, h * 2.0) : mix(b, c, h * 2.0 - 1.0);
-}
 void main() {
   kind = paint & 255u;
   ground = place.xy;
   color = colors[kind];
-  if (heights.y > 0.0 && kind <= 10u) color.rgb = shade(clamp((place.z - heights.x) * heights.y, 0.0, 1.0));
+  share = heights.y > 0.0 && kind <= 10u ? clamp((place.z - heights.x) * heights.y, 0.0, 1.0) : -1.0;
   float rank = kind == 0u ? 0.0 : kind == 10u ? 2.0 : 1.0;
   gl_Position = vec4(pixels(place.xy) / screen, alpha < 1.0 ? depth(paint, 3.0) : depth(paint, rank), 1.0);
 }`;
@@ -40,18 +37,25 @@ const AREA_FRAGMENT = `#version 300 es
 precision highp float;
 in vec4 color;
 in vec2 ground;
+in float share;
 flat in uint kind;
 uniform float alpha;
 uniform uint hatched;   // paint with stripes of a metre
 uniform float metre;    // in pixels
 out vec4 result;
+// From dark blue over green to yellow: rises in lightness. Pixel by pixel, because a long slope has corners at its ends only.
+vec3 shade(float h) {
+  vec3 a = vec3(0.27, 0.0, 0.33), b = vec3(0.13, 0.57, 0.55), c = vec3(0.99, 0.91, 0.15);
+  return h < 0.5 ? mix(a, b, h * 2.0) : mix(b, c, h * 2.0 - 1.0);
+}
 void main() {
   float a = alpha < 1.0 ? color.a : 1.0;
+  vec3 rgb = share < 0.0 ? color.rgb : shade(share);
   if (kind == hatched && metre > 0.0) {
     float stripe = fract((ground.x + ground.y) * 0.5);
     a *= stripe < 0.5 ? 1.5 : 0.5;
   }
-  result = vec4(color.rgb * a, a);
+  result = vec4(rgb * a, a);
 }`;
 
 // A piece of a line, by the number of its corner.

@@ -19,7 +19,7 @@ const SAME: f64 = 4.0;
 const SCALE: f64 = 60.0;
 
 /// The colours at some places of the map, of lanes and what is laid over them only.
-fn pixels(browser: &mut Browser, places: &[DVec2]) -> Vec<[f64; 3]> {
+pub(crate) fn pixels(browser: &mut Browser, places: &[DVec2]) -> Vec<[f64; 3]> {
     let places: Vec<[f64; 2]> = places.iter().map(|place| place.to_array()).collect();
     let answer = browser.evaluate(&format!(
         "(() => {{ viewer.shown = new Set(['lanes']);
@@ -39,7 +39,7 @@ fn pixels(browser: &mut Browser, places: &[DVec2]) -> Vec<[f64; 3]> {
 }
 
 /// A paint of the light page and its opacity, as the page has them.
-fn paint(browser: &mut Browser, name: &str) -> [f64; 4] {
+pub(crate) fn paint(browser: &mut Browser, name: &str) -> [f64; 4] {
     serde_json::from_value(browser.evaluate(&format!("rgba('{name}', viewer.dark)")))
         .expect("four numbers")
 }
@@ -49,7 +49,7 @@ fn over([r, g, b, a]: [f64; 4], below: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(mixed)
 }
 
-fn is_same(a: [f64; 3], b: [f64; 3]) -> bool {
+pub(crate) fn is_same(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME)
 }
 
