@@ -405,8 +405,7 @@ enum {
 #define MAPD_YIELDS_YIELDS 0
 #define MAPD_YIELDS_PRIORITY 1
 #define MAPD_YIELDS_LIGHTS 2
-#define MAPD_YIELDS_OPEN 3
-#define MAPD_YIELDS_UNKNOWN 4
+#define MAPD_YIELDS_UNKNOWN 3
 #define MAPD_DIRECTION_EITHER 0
 #define MAPD_DIRECTION_FORWARD 1
 #define MAPD_DIRECTION_BACKWARD 2
@@ -857,6 +856,19 @@ typedef struct mapd_reached {
   struct mapd_node_id node;
   double cost;
 } mapd_reached;
+typedef struct mapd_reached_piece {
+  struct mapd_lane_id lane;
+  double s_from;
+  double s_to;
+  double cost;
+  uint32_t lane_changes;
+  uint8_t forward;
+} mapd_reached_piece;
+typedef struct mapd_reach_link {
+  size_t from;
+  size_t to;
+  uint8_t enter;
+} mapd_reach_link;
 typedef struct mapd_next_junction {
   struct mapd_junction_id junction;
   double distance;
@@ -1063,14 +1075,6 @@ typedef struct mapd_path_speed_today {
   double along_to;
   struct mapd_speed_today today;
 } mapd_path_speed_today;
-typedef struct mapd_reached_piece {
-  struct mapd_lane_id lane;
-  double s_from;
-  double s_to;
-  double cost;
-  uint32_t lane_changes;
-  uint8_t forward;
-} mapd_reached_piece;
 typedef struct mapd_signal_ahead {
   struct mapd_signal_id signal;
   struct mapd_lane_id lane;
@@ -1107,11 +1111,6 @@ typedef struct mapd_alternative_options {
   double share;
   double longest;
 } mapd_alternative_options;
-typedef struct mapd_reach_link {
-  size_t from;
-  size_t to;
-  uint8_t enter;
-} mapd_reach_link;
 typedef struct mapd_junction_facts {
   struct mapd_junction_id junction;
   struct mapd_text id;
@@ -1850,14 +1849,18 @@ mapd_code mapd_lane_sequences(const struct mapd_snapshot *snapshot,
                               uint8_t vehicle,
                               uint8_t ahead,
                               struct mapd_scratch *scratch,
-                              struct mapd_lane_id *out,
+                              struct mapd_reached_piece *out,
                               size_t capacity,
                               size_t *count,
-                              size_t *ends,
-                              size_t ends_capacity,
-                              size_t *ends_count,
-                              uint8_t *truncated,
+                              struct mapd_reach_link *links,
+                              size_t link_capacity,
+                              size_t *link_count,
                               struct mapd_error *error);
+mapd_code mapd_next_sequence(struct mapd_scratch *scratch,
+                             struct mapd_lane_id *out,
+                             size_t capacity,
+                             size_t *count,
+                             struct mapd_error *error);
 mapd_code mapd_next_junction_of(const struct mapd_snapshot *snapshot,
                                 struct mapd_position_on_lane from,
                                 double distance,
