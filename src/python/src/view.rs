@@ -11,7 +11,7 @@ use crate::route::{Cost, ahead_result, found_route, pieces_result};
 use crate::signal::Signal;
 use mapd_client::QueryError;
 use mapd_client::path::PathError;
-use mapd_client::route::RouteScratch;
+use mapd_client::route::{AlternativeOptions, RouteScratch};
 use mapd_client::signals::SignalsAhead;
 use mapd_client::view::{OverlayEntry, Restriction, SpeedToday};
 use mapd_client::vocabulary::VehicleClass;

@@ -189,6 +189,9 @@ impl<'a, 's, W: Ways<'a>, C: RouteCost> Search<'s, W, C> {
         ways.ahead(number, |next| {
             let Some(to) = ways.node(next) else { return };
             if !to.allows(self.vehicle) {
+                if node.allows(self.vehicle) {
+                    return;
+                }
                 return self.stay(number, Hop { from, to: next }, cost, banned);
             }
             let entered = cost + price(self.cost.enter(node, &to));
