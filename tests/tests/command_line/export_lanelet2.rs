@@ -513,9 +513,17 @@ fn text_of_the_map_is_text_and_a_sign_is_a_rule_where_it_holds() {
     );
     let text = fs::read_to_string(carried("one_road.xodr")).expect("a map");
     let path = folder.path().join("map.xodr");
-    fs::write(&path, text.replace("</lanes>", &sign)).expect("written");
+    let text = text.replace("</lanes>", &sign);
+    let road = format!("id=\"{id}\" junction");
+    fs::write(&path, text.replacen("id=\"1\" junction", &road, 1)).expect("written");
     let snapshot = open(&path);
     let (osm, ..) = export(snapshot.map(), &path);
+    let named = named_borders(&osm);
+    assert!(!named.is_empty());
+    for key in named.iter().flat_map(|(lanelet, borders)| borders.iter().chain([lanelet])) {
+        let lane = snapshot.map().lane_by_key(&key.parse().expect("a key")).expect("a lane");
+        assert_eq!(lane.road().id(), hostile);
+    }
     let (line, way) =
         osm.ways.iter().find(|(_, way)| way.tags.contains_key("signal_id")).expect("the sign");
     assert!(says(way, "signal_id", hostile) && says(way, "subtype", "de274-50"), "{:?}", way.tags);
