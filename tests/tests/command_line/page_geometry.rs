@@ -54,8 +54,8 @@ impl Drawn {
         let distances = self.near(point, 1.0).flat_map(of_chunk).map(|stroke| {
             let (from, to) = (place(stroke.from), place(stroke.to));
             let way = to - from;
-            let share = ((at - from).dot(way) / way.length_squared().max(f64::MIN_POSITIVE))
-                .clamp(0.0, 1.0);
+            let share = (at - from).dot(way) / way.length_squared().max(f64::MIN_POSITIVE);
+            let share = mapd_geometry::clamp(share, 0.0, 1.0);
             at.distance(from + share * way)
         });
         distances.fold(f64::INFINITY, f64::min)

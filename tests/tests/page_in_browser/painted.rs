@@ -179,7 +179,7 @@ fn line([from, to]: [[f64; 2]; 2], [before, dash, gap]: [f64; 3], width: f64, se
 /// A signal's picture, which lies within a circle and covers its middle.
 fn sign(at: [f64; 2], scale: f64, seen: &mut Expected) {
     let (metres, least, most, reach) = SIGN;
-    circle(at, (metres * scale).clamp(least, most) * reach, &mut seen.touched);
+    circle(at, mapd_geometry::clamp(metres * scale, least, most) * reach, &mut seen.touched);
     seen.lines.mark(at);
 }
 
