@@ -83,7 +83,7 @@ void overlays_come(const std::string& name) {
   const auto after = client.snapshot();
   CHECK(after.overlay_revision() > before.overlay_revision());
   const auto today = after.view(now());
-  CHECK(today.entries().size() == 1 && mapd::view(today.entries()[0].id) == "cones");
+  CHECK(today.entries().size() == 1 && mapd::view(today.entries()[0].id) == "proposed/tests/cones");
   CHECK(today.allows(place, car).is_allowed == 0);
   CHECK(today.allows({place.lane, 25.0}, car).is_allowed == 1);
   CHECK(before.view(now()).allows(place, car).is_allowed == 1);
