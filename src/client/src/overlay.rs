@@ -38,11 +38,11 @@ pub enum Decision {
     },
 }
 
-/// Why there is no decision.
+/// Why a proposal has no decision.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ProposeError {
-    /// Nobody serves the map, or the daemon takes no proposals.
+    /// No daemon serves the map, or the daemon accepts no proposals.
     #[error("map {map:?}: no daemon takes proposals (--overlay-from)")]
     NoDaemon {
         /// The map.
@@ -59,7 +59,7 @@ pub enum ProposeError {
         "a proposal has at most {LONGEST_PROPOSAL} bytes, and the name of its source is one line"
     )]
     Unfit,
-    /// No decision came in time; it may still be taken.
+    /// No decision arrived within the wait; it may still be made.
     #[error("map {map:?}: no decision within {} s", wait.as_secs_f64())]
     Late {
         /// The map.

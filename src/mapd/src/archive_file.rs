@@ -55,7 +55,7 @@ fn prove(path: &Path) -> Result<()> {
     proof().context("the archive compiled from this map fails verification: a bug in mapd")
 }
 
-/// Writes an archive into a file that is there already and that nobody reads yet: a temporary file, or one without a name
+/// Writes an archive into an existing file that has no readers yet: a temporary file, or one without a name
 /// under `/proc`. It is not forced to the disk, and not verified: the daemon does so before it serves the file.
 ///
 /// Errors: the file cannot be written, or the disk is full.

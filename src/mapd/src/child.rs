@@ -1,4 +1,4 @@
-//! Compiling in a process of its own: whatever a map does to its compiler, nobody else notices.
+//! Compiling in a separate process: a map that makes the compiler fail affects nothing else.
 //!
 //! The child is this program as `mapd compile` with hidden options. It says on its standard output, a line of JSON each, how
 //! far it is and what it made; on its standard error what a user would see. It ends with its parent.
@@ -85,7 +85,7 @@ enum ProgressOnTheWay {
 
 /// Where a child writes to.
 pub(crate) enum Output<'a> {
-    /// Into a file that is there and that nobody reads yet.
+    /// Into an existing file that has no readers yet.
     Into(&'a OsStr),
     /// To a file that appears when it is whole; the report before it.
     At { archive: &'a Path, report: Option<&'a Path> },
@@ -162,7 +162,7 @@ pub(crate) fn run(
         let (listening, relaying) = match threads {
             Ok(threads) => threads,
             Err(error) => {
-                // Whom nobody hears is not wanted.
+                // The receiver is gone, so the work is no longer wanted.
                 child.kill().and_then(|()| child.wait())?;
                 return Err(error);
             }
@@ -286,7 +286,7 @@ fn too_little(limit: Option<u64>, asked: Option<u64>, option: &str) -> String {
 
 /// In the child: ends with the parent.
 pub(crate) fn end_with_parent() {
-    // Without it the child would end a while later, for nobody.
+    // Without it the child would end later, and its result would be discarded.
     let _ = rustix::process::set_parent_process_death_signal(Some(Signal::KILL));
 }
 

@@ -161,7 +161,7 @@ pub fn run() -> ExitCode {
     survive_file_limits();
     match execute(&command().get_matches()) {
         Ok(exit) => exit.into(),
-        // The reader of our output has gone: nobody is left to be told.
+        // The reader of the output is gone, so the error cannot be reported.
         Err(error) if is_broken_pipe(&error) => Exit::Done.into(),
         Err(error) => {
             let mut err = io::stderr().lock();

@@ -92,7 +92,7 @@ fn take(path: &Path) -> io::Result<Option<File>> {
     let file = options.open(path)?;
     file.try_lock().map_err(io::Error::from)?;
     let own = file.metadata()?;
-    // In a folder that others may write as well, nobody else may have a hold on it.
+    // In a folder that others may write too, no other process may have it open.
     let is_ours = own.uid() == rustix::process::geteuid().as_raw() && own.nlink() <= 1;
     if !own.is_file() || !is_ours {
         return Err(io::ErrorKind::PermissionDenied.into());

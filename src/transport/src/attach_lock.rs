@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 const FILE_NAME: &str = ".attach";
 
 /// Name of the turnstile, through which everyone passes on the way to the lock. Who wants the lock exclusively stands in
-/// it meanwhile: holders come out, nobody else goes in. Clients that attach without pause would else keep a daemon from
+/// it meanwhile: holders leave, and no other process enters. Clients that attach without pause would else keep a daemon from
 /// ever cleaning up.
 const TURNSTILE: &str = ".turn";
 
@@ -76,7 +76,7 @@ impl AttachLock {
         })
     }
 
-    /// Locks exclusively, trying until the deadline, at least once; meanwhile nobody else gets the lock. `None`: someone
+    /// Locks exclusively, trying until the deadline, at least once; meanwhile no other process gets the lock. `None`: someone
     /// held it all the time.
     ///
     /// Errors: what the system says.
@@ -95,7 +95,7 @@ impl AttachLock {
     }
 
     /// Whether the file is still the one under its name. A daemon that leaves an empty domain removes it; a lock on a
-    /// removed file excludes nobody. Ask after locking.
+    /// removed file excludes no process. Ask after locking.
     pub fn is_current(&self) -> bool {
         let identity = |m: std::fs::Metadata| (m.dev(), m.ino());
         match (self.file.metadata(), std::fs::metadata(&self.path)) {

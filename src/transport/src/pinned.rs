@@ -22,7 +22,7 @@ pub(crate) enum Memory {
     /// What a subscription received.
     #[cfg(feature = "iceoryx2")]
     Sample(PinnedSample),
-    /// A mapping of one's own, which nobody knows of, and the bytes' place in it.
+    /// A private mapping, unknown to other processes, and the offset of the bytes in it.
     Segment(Mapping, Range<usize>),
 }
 

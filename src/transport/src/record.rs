@@ -75,7 +75,7 @@ pub fn pending(domain: &Domain, map: &str) -> Option<GenerationInfo> {
     served_by(domain, map).map(|_| info)
 }
 
-/// Writes down what is staged now, for whom the daemon shares with.
+/// Records what is staged now, for the group that the daemon shares with.
 ///
 /// Errors: what the system says.
 pub fn write_staged(

@@ -2,9 +2,11 @@
 
 mod answers;
 mod facts;
+mod rows;
 
 pub use answers::{answers, answers_today};
 pub use facts::facts;
+pub use rows::rows;
 
 use crate::damage::seal;
 use mapd_archive::{AlignedBytes, HEADER_LENGTH, TableEntry, directory};
@@ -123,6 +125,6 @@ pub fn kept() -> Vec<PathBuf> {
 /// ever: what is to be compared besides is one more text.
 ///
 /// Errors: what writing to a string gives, which is none.
-pub fn texts(map: Map<'_>) -> Result<[(&'static str, String); 2], fmt::Error> {
-    Ok([("txt", answers(map)?), ("facts.txt", facts(map))])
+pub fn texts(map: Map<'_>) -> Result<[(&'static str, String); 3], fmt::Error> {
+    Ok([("txt", answers(map)?), ("facts.txt", facts(map)), ("rows.txt", rows(map))])
 }

@@ -6,6 +6,9 @@ use std::fs;
 /// Most words of a sentence; a piece of code is one word.
 const MOST_WORDS: usize = 38;
 
+/// Most words of a table's cell, which has no sentences to pause at.
+const MOST_WORDS_OF_A_CELL: usize = 42;
+
 /// Pages made of other tables, whose texts are reviewed there.
 const GENERATED: [&str; 3] = ["coverage.md", "format.md", "rules.md"];
 
@@ -73,8 +76,23 @@ fn too_long(paragraph: &str) -> Vec<String> {
     long
 }
 
-/// Every sentence of a page is short enough.
+/// Cells of tables with too many words.
+fn long_cells(page: &str) -> Vec<String> {
+    let rows = page.lines().filter(|line| line.starts_with('|')).map(spoken);
+    let cells = rows.flat_map(|row| row.split('|').map(str::to_owned).collect::<Vec<_>>());
+    let count = |cell: &str| {
+        cell.split_whitespace().filter(|word| word.contains(char::is_alphanumeric)).count()
+    };
+    cells.filter(|cell| count(cell) > MOST_WORDS_OF_A_CELL).collect()
+}
+
+/// Every sentence and every cell of a page is short enough.
 fn check(name: &str, page: &str) {
+    let cells = long_cells(page);
+    assert!(
+        cells.is_empty(),
+        "{name} has cells of more than {MOST_WORDS_OF_A_CELL} words: {cells:#?}"
+    );
     let long: Vec<String> = paragraphs(page).iter().flat_map(|text| too_long(text)).collect();
     assert!(long.is_empty(), "{name} has sentences of more than {MOST_WORDS} words: {long:#?}");
 }
@@ -129,4 +147,7 @@ fn what_is_too_long_is_found() {
         let found: Vec<String> = paragraphs(&text).iter().flat_map(|one| too_long(one)).collect();
         assert_eq!(found.len(), long, "{text:?}: {found:?}");
     }
+    let row = |words: usize| format!("| name | {} |", "word ".repeat(words));
+    assert_eq!(long_cells(&row(MOST_WORDS_OF_A_CELL)).len(), 0);
+    assert_eq!(long_cells(&row(MOST_WORDS_OF_A_CELL + 1)).len(), 1);
 }

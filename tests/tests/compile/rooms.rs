@@ -146,3 +146,76 @@ fn an_arrow_upwards_is_found() {
         assert_eq!(order.allows(from, to), expected, "{from} → {to}");
     }
 }
+
+/// Modules of a crate, or of a folder of it, that import a module: all files but those of the module itself.
+fn importers(folder: &Path, module: &str) -> Vec<String> {
+    let (mut files, mut found) = (Vec::new(), Vec::new());
+    sources(folder, &mut files);
+    assert!(files.len() > 50, "{} has few sources", folder.display());
+    for (file, text) in files {
+        let own = Path::new(&file).strip_prefix(folder).expect("below the folder");
+        let is_own = own.starts_with(module) || own == Path::new(&format!("{module}.rs"));
+        if !is_own && imports(&text).contains(module) {
+            found.push(own.display().to_string());
+        }
+    }
+    found
+}
+
+/// The page says that `cli` defines the commands and that nothing below imports it: `lib.rs` only declares it.
+#[test]
+fn nothing_in_the_program_imports_its_command_line() {
+    assert_eq!(importers(&workspace().join("src/mapd/src"), "cli"), Vec::<String>::new());
+}
+
+/// Dependencies on crates of the workspace that a manifest has outside of tests.
+fn own_dependencies(manifest: &str) -> BTreeSet<String> {
+    let sections = manifest.split("\n[").filter(|section| section.starts_with("dependencies]"));
+    let lines = sections.flat_map(str::lines);
+    let names = lines.filter_map(|line| line.strip_prefix("mapd-"));
+    names.map(|name| name.split(['.', ' ', '=']).next().unwrap_or(name).to_owned()).collect()
+}
+
+/// What the page's table of crates says that one may depend on, by folder. Dependencies that others of the row bring are not listed again.
+fn listed_dependencies(page: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let rows = page.lines().filter(|line| line.starts_with("| `src/"));
+    let cells = rows.map(|row| row.split(" | ").map(str::trim).collect::<Vec<_>>());
+    let words = |text: &str| {
+        let parts = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '-'));
+        parts.filter(|part| !part.is_empty()).map(str::to_owned).collect()
+    };
+    let of = |cells: Vec<&str>| {
+        let folder = cells.first()?.trim_matches(['|', ' ', '`']).strip_prefix("src/")?.to_owned();
+        (cells.len() == 4).then(|| (folder, words(cells.last().copied().unwrap_or_default())))
+    };
+    cells.filter_map(of).collect()
+}
+
+#[test]
+fn crates_depend_on_those_that_the_page_lists() {
+    let root = workspace();
+    let page = fs::read_to_string(root.join("ARCHITECTURE.md")).expect("the page");
+    let listed = listed_dependencies(&page);
+    assert!(listed.len() >= 15, "{listed:?}");
+    let mut strays = Vec::new();
+    for (folder, allowed) in listed.iter().filter(|(_, allowed)| !allowed.contains("all")) {
+        // Folders of scripts have none.
+        let manifest = fs::read_to_string(root.join("src").join(folder).join("Cargo.toml"));
+        for name in own_dependencies(&manifest.unwrap_or_default()) {
+            if !allowed.contains(&name) {
+                strays.push(format!("{folder} → {name}"));
+            }
+        }
+    }
+    assert!(strays.is_empty(), "not in the page's table: {strays:?}");
+}
+
+#[test]
+fn a_dependency_that_is_not_listed_is_found() {
+    let page = "| `src/a` | `mapd-a` | of `b`, `c` | b, glam; d as a feature |";
+    let listed = listed_dependencies(page);
+    let manifest = "[package]\nname = \"x\"\n\n[dependencies]\nmapd-b.workspace = true\nmapd-e = { workspace = true }\n\n[dev-dependencies]\nmapd-f.workspace = true\n";
+    let own = own_dependencies(manifest);
+    assert_eq!(own, BTreeSet::from(["b", "e"].map(str::to_owned)));
+    assert!(listed["a"].contains("b") && !listed["a"].contains("e"), "{listed:?}");
+}

@@ -28,6 +28,8 @@ mod ground;
 mod ids;
 // The packed index against rstar, and the nearest lane against looking at every lane.
 mod index_oracle;
+// Every type that can be read from JSON is read as it was written.
+mod json_round_trips;
 // Landmarks for localisation, and signals near a point and in a rectangle.
 mod landmarks;
 // The lane graph against a slow, literal reader of the links.

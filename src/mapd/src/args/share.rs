@@ -1,4 +1,4 @@
-//! With whom a daemon shares.
+//! The group that a daemon shares its maps with.
 
 use mapd_transport::{Share, group_id};
 use serde::Deserialize;

@@ -5,7 +5,7 @@ use clap::Args;
 use mapd_client::TrustedKey;
 use std::path::PathBuf;
 
-/// Whom to trust.
+/// Trusted keys.
 #[derive(Args, Clone, Debug, Default)]
 pub(crate) struct TrustArgs {
     /// Accept only archives signed with this minisign key; the signature is in FILE.mapd.minisig

@@ -170,7 +170,7 @@ impl Cache {
             let name = format!("{UNFINISHED}{process}-{number}-{}", since_epoch().as_nanos());
             let path = self.folder.join(name);
             let file = OpenOptions::new().write(true).create_new(true).mode(0o600).open(&path)?;
-            // Where there are no locks, nobody takes it for one that was left behind either.
+            // Without locks, no other process takes it for an abandoned one either.
             let taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
             if !taken && path.exists() {
                 return Ok(Unfinished { path, kept: false, _locked: file });

@@ -13,13 +13,13 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum AskError {
-    /// Nobody serves the map, or the daemon is about to begin or end.
+    /// No daemon serves the map, or the daemon is starting or ending.
     #[error("map {map:?}: no daemon answers; `mapd status` lists the maps that are served")]
     NoDaemon {
         /// The map.
         map: String,
     },
-    /// No answer came in time; what was asked for may still happen.
+    /// No answer arrived within the wait; the request may still be carried out.
     #[error(
         "map {map:?}: no answer within {} s; the daemon goes on with what was asked, `mapd status` tells what became of it",
         wait.as_secs_f64()

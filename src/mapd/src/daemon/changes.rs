@@ -47,7 +47,7 @@ impl Maps {
         self.ended(&change, outcome);
     }
 
-    /// Counts a reload; false for one that nobody asked for, where another will read the file anyway.
+    /// Counts a reload; false for one that was not requested, if another will read the file anyway.
     fn begin_reload(&mut self, change: &Change) -> bool {
         let Some(entry) = self.entries.get_mut(&change.map) else { return false };
         if change.reply.is_none() && entry.reloads >= UNASKED_RELOADS {
@@ -163,7 +163,7 @@ impl Maps {
                 tracing::error!(map = %map, error = %reason, "map {map}: the served archive fails verification, and is published anew: {reason}");
                 None
             }
-            // What nobody could look at is not known to be bad.
+            // A generation that could not be examined is not known to be damaged.
             Ok(Proof::Sound(_) | Proof::NotExamined(_)) | Err(_) => Some(generation),
         }
     }

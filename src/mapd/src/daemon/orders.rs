@@ -24,10 +24,10 @@ pub(crate) enum Order {
 pub(crate) struct Change {
     pub(crate) map: String,
     pub(crate) trigger: Trigger,
-    /// Leave it staged; for those whom nobody asked, what the map's settings say.
+    /// Leave it staged; for reloads that were not requested, the map's settings decide.
     pub(crate) stage: bool,
     pub(crate) begun: Instant,
-    /// Where the outcome goes. If nobody waits for it any more, it is dropped.
+    /// Where the outcome goes. If the caller no longer waits for it, it is dropped.
     pub(crate) reply: Option<Sender<Response>>,
 }
 

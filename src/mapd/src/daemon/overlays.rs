@@ -34,7 +34,7 @@ const MOST_TOLD: usize = 50;
 pub(crate) struct OverlayRules {
     pub(crate) limits: Limits,
     pub(crate) policy: Policy,
-    /// The key that must have signed entries, but for those of proposals; none: nobody need sign.
+    /// The key that must have signed entries, except those of proposals; none: no signature is needed.
     pub(crate) trust: Option<TrustedKey>,
 }
 

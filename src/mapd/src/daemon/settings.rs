@@ -28,7 +28,7 @@ pub(crate) struct Settings {
     pub(crate) share: Share,
     /// What may be laid over maps.
     pub(crate) overlay: OverlayRules,
-    /// Who may propose what; none: nobody.
+    /// The policy for proposals; none: no proposal is accepted.
     pub(crate) proposals: Option<ProposalPolicy>,
     pub(crate) maps: Vec<MapSettings>,
 }

@@ -1,8 +1,8 @@
-//! The service manager's view: ready once every map has answered a query of the daemon's own, and alive as long as none
-//! answers wrongly or not at all. Where there is no room to ask, nothing is known to be wrong, and a daemon that is started
-//! again would have less of it: that alone never keeps the watchdog waiting. Nor does it that maps are many: those for which
-//! there was no time are asked in the next rounds, and what a map answered last counts until then; one whose last answer was
-//! wrong is asked first in every round, so that it keeps the watchdog waiting no longer than it must.
+//! What the service manager is told: the daemon is ready when every map has answered a self-query, and alive as long as no map
+//! gives a wrong answer or none. If there is no room for a self-query, nothing is known to be wrong, and a restarted daemon
+//! would have even less room: this alone never delays the watchdog. Many maps do not delay it either. Maps for which a round
+//! had no time are asked in the next rounds; until then their last answer counts. A map whose last answer was wrong is asked
+//! first in every round, so it delays the watchdog no longer than necessary.
 
 use super::periodic::{Periodic, Stop};
 use super::rounds::{Maps, Surroundings};
@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 /// Pause before a first query that failed is tried again.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Begins to attend.
+/// Starts the thread.
 pub(super) fn start(
     domain: &Domain,
     board: &Arc<Board>,

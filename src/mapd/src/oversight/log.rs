@@ -33,7 +33,7 @@ pub(crate) enum LogFormat {
     Json,
 }
 
-/// How grave an event is.
+/// Severity of an event.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum LogLevel {
     /// Failures
@@ -79,7 +79,7 @@ impl LogArgs {
     }
 }
 
-/// Says something to the operator.
+/// Logs a message for the operator.
 pub(crate) fn say(message: &str) {
     tracing::info!("{message}");
 }
@@ -87,7 +87,7 @@ pub(crate) fn say(message: &str) {
 /// Target of lines that another process has written.
 const RELAYED: &str = "relayed";
 
-/// Passes on a line that the compiler wrote, as it is; in JSON it is the message of an event.
+/// Relays a line of the compiler unchanged; in JSON it is the message of an event.
 pub(crate) fn relay(line: &str) {
     if line.contains(": error[") {
         tracing::error!(target: RELAYED, "{line}");
@@ -144,7 +144,7 @@ struct Message<'a, 'b>(&'a mut Writer<'b>);
 impl Visit for Message<'_, '_> {
     fn record_debug(&mut self, field: &Field, value: &dyn fmt::Debug) {
         if field.name() == "message" {
-            // Fails if the log cannot be written, of which nobody could be told.
+            // Fails if the log cannot be written; there is nowhere to report that.
             let _ = write!(self.0, "{value:?}");
         }
     }

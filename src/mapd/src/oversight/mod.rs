@@ -116,7 +116,7 @@ impl Oversight {
         let page = page.transpose()?;
         let stop = Arc::new(Stop::default());
         let mut threads = Vec::new();
-        // Where nobody looks, nobody asks.
+        // Without a service manager and without metrics, no self-query is needed.
         if attendant::is_managed() || page.is_some() {
             threads.push(attendant::start(domain, board, &maps, &stop));
         }

@@ -87,7 +87,7 @@ fn listen(stopped: &UnixStream, listener: &TcpListener, text: Text<'_>) {
         let now = Instant::now();
         connections.retain_mut(|one| {
             let is_ready = ready.next().is_some_and(|ready| *ready);
-            // A client that closes the connection, sends nothing in time or too much gets no answer.
+            // A client that closes the connection, sends nothing within the time limit, or sends too much gets no answer.
             now < one.until && (!is_ready || one.go_on(text).is_ok_and(|is_done| !is_done))
         });
         if *is_asked {
@@ -96,7 +96,7 @@ fn listen(stopped: &UnixStream, listener: &TcpListener, text: Text<'_>) {
     }
 }
 
-/// Takes all who wait.
+/// Accepts all waiting connections.
 fn take(listener: &TcpListener, connections: &mut Vec<Connection>, text: Text<'_>) {
     loop {
         match listener.accept() {

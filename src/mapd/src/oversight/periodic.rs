@@ -1,11 +1,11 @@
-//! Threads that do something now and then, until they are stopped.
+//! Threads that work periodically until they are stopped.
 
 use crate::joining::join_soon;
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// Wakes the sleeping thread for good.
+/// Wakes the sleeping thread and ends it.
 #[derive(Debug, Default)]
 pub(crate) struct Stop {
     stopped: Mutex<bool>,

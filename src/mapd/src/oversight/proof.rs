@@ -17,23 +17,23 @@ const ATTEMPTS: usize = 3;
 /// Pause between them: the board is written right after a generation is sent.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// What came of it.
+/// The outcome.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Proof {
     /// This generation is what was published.
     Sound(u64),
     /// Readers see something else, or nothing.
     Damaged {
-        /// The generation that was served, as the board said before anybody looked: another may be by now.
+        /// The generation that was served according to the board before the examination; another one may be served by now.
         generation: Option<u64>,
         reason: String,
     },
-    /// Nobody has looked, for there was no room, or not time enough.
+    /// It was not examined: there was too little room or time.
     NotExamined(String),
 }
 
 /// Proves what a map's readers see, through a mapping like theirs: what is said about the generation, its header, its hash
-/// and every row. Who serves has to greet meanwhile.
+/// and every row. The serving thread must connect new clients meanwhile.
 pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
     let (mut found, mut named) = (None, None);
     for attempt in 0..ATTEMPTS {
@@ -73,7 +73,7 @@ fn served(board: &Board, map: &str) -> Option<GenerationStatus> {
     board.status().maps.into_iter().find(|state| state.name == map)?.served
 }
 
-/// Whether bytes that nobody has looked at may be sound.
+/// Whether bytes that were not examined may be sound.
 fn says_nothing(error: &AttachError) -> bool {
     matches!(
         error,

@@ -27,18 +27,18 @@ pub(super) trait Surroundings {
     fn ping(&self);
 }
 
-/// What came of asking a map, the most urgent first.
+/// The outcome of a self-query, the most urgent first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Answer {
     Wrong,
-    /// None came in time, of which there was less than others had.
+    /// None arrived within its wait, which was shorter than usual.
     Late,
     /// There was no room to ask.
     NoRoom,
     Right,
 }
 
-/// A map, and what came of asking it.
+/// A map, and the outcome of its last self-query.
 struct QueriedMap {
     name: String,
     /// The newest generation that has answered.

@@ -1,4 +1,4 @@
-//! Removing what killed processes left, and in the end what we leave.
+//! Removing the files of killed processes, and at the end those of the daemon.
 
 use super::nodes;
 use super::notice::Notice;
@@ -10,7 +10,7 @@ use mapd_transport::{
 use std::fs;
 use std::path::Path;
 
-/// Removes unfinished segments. Under the exclusive attach lock nobody is creating any.
+/// Removes unfinished segments. Under the exclusive attach lock no process creates any.
 pub(crate) fn sweep(domain: &Domain, _exclusive: &AttachGuard, notify: &dyn Fn(&Notice)) {
     for file in unfinished_segments(domain) {
         match fs::remove_file(&file) {
@@ -45,9 +45,9 @@ pub(crate) fn clean(
     }
 }
 
-/// Removes every file of a deserted domain, so that nothing that killed processes left can be in anybody's way; unless
-/// `all`, keeps the lock files of the domain, the generation numbers, and the records, on which observers may wait. Under the
-/// exclusive attach lock nobody enters it.
+/// Removes every file of a domain without processes, so that leftovers of killed processes cannot get in the way. Unless
+/// `all` is set, keeps the domain's lock files, the generation numbers, and the records, on which observers may wait. Under the
+/// exclusive attach lock no process enters the domain.
 pub(crate) fn wipe(domain: &Domain, all: bool, _exclusive: &AttachGuard) {
     // What cannot be removed is swept, reused or tried again by the next daemon.
     for entry in entries(Path::new(SHARED_MEMORY_FOLDER)) {

@@ -1,4 +1,4 @@
-//! Calling the thread that serves: it greets newcomers until it is wanted.
+//! Waking the serving thread: it connects new clients until another thread needs it.
 
 use iceoryx2::prelude::{FileDescriptor, FileDescriptorBased, SynchronousMultiplexing};
 use std::fmt;
@@ -14,7 +14,7 @@ pub struct Doorbell {
 }
 
 impl Doorbell {
-    /// A bell that nobody has rung.
+    /// A bell that has not been rung.
     ///
     /// Errors: no socket pair can be had.
     pub fn new() -> io::Result<Self> {

@@ -1,12 +1,12 @@
 //! Numbers of generations, which rise and never repeat.
 //!
 //! A number is one more than the last one handed out for the map in this domain. The last one is kept twice: in the domain's
-//! root folder, which lives as long as anybody of the domain does, and in a folder that outlives the machine's restart, if
-//! the daemon has one. Where neither knows, the first number is the time in milliseconds: beyond every number handed out
-//! before, as generations come less often than once a millisecond.
+//! root folder, which exists as long as a process of the domain does, and in a folder that survives a restart of the machine, if
+//! the daemon has one. If neither has it, the first number is the time in milliseconds. It is larger than every earlier number,
+//! because generations come less often than once a millisecond.
 //!
-//! The clock is asked only where nothing is kept, so that one that jumps, in either direction, changes nothing. What is left:
-//! the folders are empty *and* the clock stands before the moment when the lost first number was handed out.
+//! The clock is read only if no number is kept, so a clock that jumps changes nothing. One case remains: the folders are empty
+//! *and* the clock is earlier than the moment at which the lost first number was assigned.
 
 use super::error::ServeError;
 use super::notice::Notice;
@@ -18,7 +18,7 @@ use mapd_transport::{
 use std::io;
 use std::path::PathBuf;
 
-/// Hands out numbers.
+/// Assigns numbers.
 #[derive(Debug, Default)]
 pub(crate) struct Generations {
     /// A folder that outlives the domain.
@@ -31,7 +31,7 @@ impl Generations {
         self.folder = Some(folder);
     }
 
-    /// Hands out the next number, for good, before anyone can see it.
+    /// Assigns the next number permanently, before a client can see it.
     ///
     /// Errors: the root folder cannot be written; there is no higher number.
     pub(crate) fn next(
@@ -152,7 +152,7 @@ mod tests {
         );
     }
 
-    /// A number that nobody handed out once left room for a single generation.
+    /// A number that was never assigned once left room for a single generation.
     #[test]
     fn a_number_that_makes_no_sense_is_not_gone_on_from() {
         let (place, kept) = (DomainFolder::new("gensend"), tempfile::tempdir().expect("a folder"));

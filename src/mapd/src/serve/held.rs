@@ -45,8 +45,8 @@ impl fmt::Display for HeldGenerations {
     }
 }
 
-/// A segment whose publisher is gone, kept by a descriptor to learn whether anybody maps it. Its memory is free once this is dropped, and
-/// nobody maps it.
+/// A segment whose publisher is gone, kept open to learn whether a process maps it. Its memory is freed when this is dropped and
+/// no process maps it any more.
 pub(super) struct Dropped {
     file: File,
     pub(super) generation: u64,
@@ -58,7 +58,7 @@ impl Dropped {
         Self { file, generation }
     }
 
-    /// Whether anybody maps it.
+    /// Whether a process maps it.
     pub(super) fn is_held(&self) -> bool {
         is_held(&self.file)
     }
@@ -70,7 +70,7 @@ impl Dropped {
 }
 
 impl Server {
-    /// Gives the memory back of generations that nobody holds any more.
+    /// Releases the memory of generations that have no readers any more.
     pub(super) fn let_go(&self) {
         self.maps.values().for_each(MapPorts::let_go);
     }

@@ -1,4 +1,4 @@
-//! Whether anybody has a file open.
+//! Whether another process has a file open.
 #![allow(unsafe_code)]
 
 use std::fs::File;
@@ -8,13 +8,13 @@ use std::os::fd::{AsRawFd, RawFd};
 /// `F_SETSIG` of Linux, which libc does not name: the signal that tells of a lease that is asked for.
 const SET_SIGNAL: i32 = 10;
 
-/// Whether anybody else has a file open, or maps it. `file` has to be opened read-only: an open file that may be written to prevents its own lease. Where the
-/// system cannot tell, nobody does.
+/// Whether another process has a file open, or maps it. `file` must be opened read-only: a file that is open for writing prevents its own lease. If the
+/// system cannot tell, the answer is no.
 pub(super) fn is_held(file: &File) -> bool {
     let fd = file.as_raw_fd();
     // A process that opens the file at this moment is announced by a signal, which by default ends the process; this one does not.
     let quiet = lease(fd, SET_SIGNAL, libc::SIGURG);
-    // A lease to write is granted only where nobody else has the file open; mappings do.
+    // A write lease is granted only if no other process has the file open; a mapping counts as open.
     match quiet.and_then(|()| lease(fd, libc::F_SETLEASE, libc::F_WRLCK)) {
         Ok(()) => {
             // Fails for no lease that is held; it would end with the descriptor.

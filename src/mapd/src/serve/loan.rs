@@ -12,7 +12,7 @@ use std::mem::MaybeUninit;
 /// What the writer of a generation says about it. Opaque here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PublishMeta {
-    /// Identifies the tables that the publisher's release writes; nobody is refused for it.
+    /// Identifies the tables that the publisher's release writes. No reader is refused because of it.
     pub layout_id: [u8; 32],
     /// Hash of the archive's content.
     pub content_hash: [u8; 32],
@@ -43,7 +43,7 @@ pub(crate) fn locate_loan<T>(loan: &mut Loan, find: impl FnOnce(&Mark) -> T) -> 
     }
     let first = loan.payload_mut().first_mut()?.as_mut_ptr().cast::<Mark>();
     // SAFETY: the first chunk is as long as a mark, mapped, writable and borrowed mutably. Volatile, so that the kernel finds it when it is asked
-    // for the file's bytes: to the compiler nobody reads it.
+    // for the file's bytes: to the compiler, they are never read.
     unsafe { first.write_volatile(mark) };
     Some(find(&mark))
 }

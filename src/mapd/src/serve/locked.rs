@@ -17,7 +17,7 @@ impl LockedPages {
     ///
     /// Errors: what the system says; out-of-memory and not-permitted mean the limit.
     pub(crate) fn of(file: &File) -> io::Result<Self> {
-        // SAFETY: nobody ever looks at the mapping's bytes, so that it does not matter who changes them, or whether the file
+        // SAFETY: the mapping's bytes are never read, so it does not matter which process changes them, or whether the file
         // gets shorter; it exists to be locked, and unlocks when it is dropped.
         let mapping = unsafe { Mmap::map(file)? };
         mapping.lock()?;

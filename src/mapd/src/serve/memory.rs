@@ -1,5 +1,5 @@
 //! Whether a map fits, asked before anything is created: shared memory that is written without being there kills the
-//! writer with a signal, or makes the kernel kill somebody.
+//! writer with a signal, or makes the kernel kill another process.
 
 use super::control_group;
 use super::error::ServeError;
@@ -99,7 +99,7 @@ fn tightest() -> Option<Room> {
     rooms.into_iter().flatten().min_by_key(|room| room.available)
 }
 
-/// The kernel refused to provide the pages although [`check`] saw room: somebody else was quicker.
+/// The kernel refused to provide the pages although [`check`] saw room: another process took it in between.
 pub(crate) fn refused(map: &str, length: u64, error: &std::io::Error) -> ServeError {
     let limit = "the kernel";
     let available = file_system().map_or(0, |room| room.available);

@@ -11,8 +11,8 @@ use mapd_transport::{AttachGuard, Domain, TransportService};
 use std::collections::BTreeSet;
 use std::fs;
 
-/// Removes the files of dead nodes that have no details, and of what is no node. Under the exclusive attach lock nobody
-/// is making a node; a process that is just removing one finds its last files gone, which is what it wants.
+/// Removes the files of dead nodes that have no details, and of what is no node. Under the exclusive attach lock no process
+/// creates a node; a process that is removing one finds that its last files are gone already.
 pub(crate) fn purge(domain: &Domain, config: &Config, _exclusive: &AttachGuard) {
     let mut in_use = BTreeSet::new();
     let mut hopeless = BTreeSet::new();

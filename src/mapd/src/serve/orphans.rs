@@ -1,8 +1,8 @@
-//! State of services and listeners that are no more.
+//! State of services and listeners that no longer exist.
 //!
 //! iceoryx2 removes a service in two steps: its description, then its shared state. A daemon killed in between leaves the
-//! state, which nobody can open any more. Listeners and queues are made before their service knows of them, and removed
-//! after. As long as a client lives in the domain, each such kill would leave more.
+//! state, which can no longer be opened. Listeners and queues are created before they are registered with their service, and removed
+//! afterwards. As long as a client lives in the domain, each such kill would leave more files.
 
 use super::notice::Notice;
 use iceoryx2::prelude::{CallbackProgression, Node, PortFactory as _, Service, ServiceName};
@@ -30,9 +30,9 @@ const QUEUE_ENDING: &str = ".connection";
 const DESCRIPTION_ENDING: &str = ".service";
 
 /// Removes the state of services that have no description, and what listeners and publishers left that no service knows.
-/// Processes that have such a file open keep what they have mapped. Under the exclusive attach lock nobody is making a
-/// service or a port; a process that is just removing one finds its last files gone, which is what it wants. What cannot be told is
-/// left.
+/// Processes that have such a file open keep what they have mapped. Under the exclusive attach lock no process creates a
+/// service or a port; a process that is removing one finds that its last files are gone already. Files whose owner is unknown are
+/// kept.
 pub(crate) fn remove(
     domain: &Domain,
     node: &Node<TransportService>,

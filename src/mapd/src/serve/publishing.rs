@@ -238,9 +238,9 @@ impl Server {
             let generation = self.generations.next(&self.domain, map, &notify)?;
             Ok(info(generation, length, &meta))
         })?;
-        // Nobody has written through it meanwhile, and nobody will.
+        // Nothing has been written through it meanwhile, and nothing will be.
         self.tell_if_failed("making the data segment read-only", segment.protect(self.share));
-        // Without it, nobody learns who holds the generation later.
+        // Without it, the readers of the generation cannot be counted later.
         Ok(FilledSegment { sample, place, locked, kept: segment.keep().ok() })
     }
 

@@ -11,8 +11,8 @@ pub(crate) const NODE_COUNTER: &str = ".global_mgmt";
 /// Rights of a domain's files: its user alone.
 const OWN: u32 = 0o600;
 
-/// Takes the counter of nodes from other users: iceoryx2 0.10 lets everybody write it, whatever the umask. Who shortens a
-/// file that others have mapped ends them by SIGBUS.
+/// Removes other users' rights to the counter of nodes: iceoryx2 0.10 lets everybody write it, whatever the umask. A process that
+/// truncates a file that others have mapped kills them with SIGBUS.
 ///
 /// Errors: what the system says.
 pub(crate) fn tighten(domain: &Domain) -> io::Result<()> {

@@ -117,7 +117,7 @@ impl Segment {
         File::open(Path::new(SHARED_MEMORY_FOLDER).join(&self.name))
     }
 
-    /// Makes it read-only for good, for whom the daemon shares with. Existing mappings stay what they are; iceoryx2 maps readers read-only anyway, but
+    /// Makes it read-only for good, for the group that the daemon shares with. Existing mappings stay what they are; iceoryx2 maps readers read-only anyway, but
     /// would give any process of the user a writable one.
     ///
     /// Errors: what the system says.

@@ -35,7 +35,7 @@ pub(crate) struct Current {
     pub(crate) overlay: Option<OverlayFile>,
 }
 
-/// Which map is served, and to whom.
+/// The map that is served, and the group that may read it.
 pub(crate) struct MapOf<'a> {
     pub(crate) domain: &'a Domain,
     pub(crate) map: &'a str,
@@ -150,7 +150,7 @@ impl MapPorts {
         self.let_go();
     }
 
-    /// Gives the memory back of generations that nobody holds any more.
+    /// Releases the memory of generations that have no readers any more.
     pub(crate) fn let_go(&self) {
         self.dropped().retain(Dropped::is_held);
     }

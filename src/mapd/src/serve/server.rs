@@ -40,7 +40,7 @@ const LOCK_PATIENCE: Duration = Duration::from_secs(2);
 /// The same, once it has failed, until the lock can be had again.
 const PATIENCE_LOST: Duration = Duration::from_millis(20);
 
-/// How long a round waits for the attach lock at most: nobody attaches meanwhile.
+/// How long a round waits for the attach lock at most: no client can attach meanwhile.
 const ROUND_PATIENCE: Duration = Duration::from_millis(100);
 
 /// Rounds without the attach lock after which the operator is told.
@@ -252,7 +252,7 @@ impl Server {
         served
     }
 
-    /// Cleans up and greets, if nobody is attaching just now.
+    /// Cleans up and connects new clients, unless a client is attaching now.
     fn round(&self, missed: &mut u32) -> Result<(), ServeError> {
         self.let_go();
         // A process that is stopped while it holds the lock costs newcomers little: once it is known, hardly any wait.

@@ -85,7 +85,7 @@ enum Refusal {
 }
 
 /// Opens or creates a service. If what is there is half made (iceoryx2 has waited for it), a daemon was killed while it
-/// made or removed it. Nobody uses such a service and, under the exclusive attach lock, nobody is making one: its
+/// made or removed it. No process uses such a service and, under the exclusive attach lock, none creates one: its
 /// description is removed, and it is made anew.
 fn repairing<T, E: Debug>(
     repair: Option<&Domain>,

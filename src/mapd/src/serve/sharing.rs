@@ -10,7 +10,7 @@ use std::io;
 const OF_GROUP: Mode = Mode::RWXG;
 
 impl Server {
-    /// Lets a group read what is published from now on, or nobody, which is the default. Before the first map is claimed.
+    /// Lets a group read what is published from now on; without a group, only the daemon's user may, which is the default. Call it before the first map is claimed.
     ///
     /// Errors: this user is not in the group; the domain is shared with another group already; what the system says.
     pub fn share(&mut self, share: Share) -> Result<(), ServeError> {

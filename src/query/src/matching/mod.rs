@@ -68,7 +68,7 @@ pub struct MatchOptions<'a> {
     /// Share of the prior that lanes have which the vehicle may not use, in (0, 1]. Default 0.05.
     pub closed: f64,
     /// Lanes that are expected, such as those of a route, or those that can be reached from the last known lane
-    /// ([`Map::reachable`]); all others have the prior `unexpected`. Default none, which expects nothing.
+    /// ([`Map::reachable`]); all others have the prior `unexpected`. Default none, which expects nothing. JSON leaves it out, because it is borrowed.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub expected: &'a [LaneId],
     /// Share of the prior that lanes have which are not expected, in (0, 1]: routes are left, and last lanes were wrong.

@@ -78,7 +78,7 @@ pub(super) struct Record {
     pub(super) identity: Identity,
 }
 
-/// Opens a record of the daemon's own for writing, read by whom the daemon shares with.
+/// Opens one of the daemon's records for writing; the group that the daemon shares with may read it.
 ///
 /// Errors: those of opening a file; the group cannot have it.
 pub(super) fn open_own(path: &Path, owner: u32, share: Share) -> Result<Record, Refusal> {

@@ -78,7 +78,7 @@ impl Observer {
         for _ in 0..READINGS {
             let record = match self.record() {
                 Err(AttachError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
-                    // Nobody serves the map any more: what is known stays what it was.
+                    // No daemon serves the map any more: the last known state remains.
                     return Ok(OverlayState::Known);
                 }
                 record => record?,

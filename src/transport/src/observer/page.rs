@@ -47,7 +47,7 @@ impl Page {
 
     /// Writes the slot that does not hold. Only the daemon that has claimed the map does so; nobody sees it before [`Page::hold`].
     pub(super) fn write(&self, sequence: u32, words: &Words) {
-        // What is written from here on is seen by nobody who has not seen that the other slot came to hold.
+        // A reader sees what is written from here on only after it has seen that the other slot is current.
         fence(Ordering::Release);
         for (word, value) in self.slots[sequence as usize % 2].iter().zip(words) {
             word.store(*value, Ordering::Relaxed);

@@ -295,7 +295,7 @@ pub fn heartbeat_age(domain: &Domain, map: &str) -> Option<Duration> {
     age(record.page())
 }
 
-/// Process id of the daemon that says that it serves a map, by its heartbeat alone: for those who may not look at its lock.
+/// Process id of the daemon that serves a map, by its heartbeat alone: for processes that may not examine its lock.
 pub(crate) fn daemon_heard(domain: &Domain, map: &str) -> Option<u32> {
     heartbeat_age(domain, map).filter(|age| *age <= SILENCE)?;
     Some(published(domain, map).map_or(0, |info| u32::try_from(info.daemon_pid).unwrap_or(0)))
@@ -355,7 +355,7 @@ mod tests {
         }
     }
 
-    /// A reader that sleeps without a deadline would sleep for ever if nobody woke it.
+    /// A reader that sleeps without a deadline would sleep forever if no process woke it.
     #[test]
     fn who_sleeps_is_woken() {
         let folder = Folder::new("recordwake");
@@ -393,7 +393,7 @@ mod tests {
             let writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
             let (info, place) = served(generation);
             writer.hold(writer.prepare(&info, &place).expect("can be said"));
-            // What is prepared and does not hold is seen by nobody.
+            // A slot that is prepared but not current is not visible to readers.
             let (info, place) = served(generation + 1);
             let _ = writer.prepare(&info, &place).expect("can be said");
         };

@@ -50,7 +50,7 @@ impl RecordWriter {
         Ok(writer)
     }
 
-    /// Writes down what is to be served, so that nobody sees it yet.
+    /// Writes what is to be served without making it visible to readers.
     ///
     /// Errors: what cannot be said: a segment's name that is too long, or not plain.
     pub fn prepare(&self, info: &GenerationInfo, place: &SegmentLocation) -> io::Result<Prepared> {

@@ -304,7 +304,7 @@ impl Inbox {
                 let full = || AttachError::TooManyPinned { map: map.to_owned() };
                 return newest.ok_or_else(full).map(Some);
             }
-            // The last round, which finds nothing, also unmaps generations that nobody holds any more.
+            // The last round, which finds nothing, also unmaps generations that are no longer held.
             let failed = |error| AttachError::iceoryx(error).or_shortage();
             let Some(sample) = self.ports.subscriber.receive().map_err(failed)? else {
                 return Ok(newest);

@@ -7,14 +7,14 @@ use std::fmt::{Display, Write as _};
 
 /// A text that grows by lines.
 #[derive(Default)]
-pub(super) struct Lines(String);
+pub(in crate::releases) struct Lines(String);
 
 /// A line that is being written; it ends with its last fact.
-pub(super) struct Line<'l>(&'l mut String);
+pub(in crate::releases) struct Line<'l>(&'l mut String);
 
 impl Lines {
     /// Begins a line about something.
-    pub(super) fn about(&mut self, what: impl Display) -> Line<'_> {
+    pub(in crate::releases) fn about(&mut self, what: impl Display) -> Line<'_> {
         if !self.0.is_empty() {
             self.0.push('\n');
         }
@@ -23,7 +23,7 @@ impl Lines {
         Line(&mut self.0)
     }
 
-    pub(super) fn into_text(mut self) -> String {
+    pub(in crate::releases) fn into_text(mut self) -> String {
         self.0.push('\n');
         self.0
     }
@@ -31,27 +31,27 @@ impl Lines {
 
 impl Line<'_> {
     /// One more fact.
-    pub(super) fn with(self, name: &str, value: impl Fact) -> Self {
+    pub(in crate::releases) fn with(self, name: &str, value: impl Fact) -> Self {
         let _ = write!(self.0, " {name}=");
         value.write(self.0);
         self
     }
 
     /// One more word of a list that is the same in every release.
-    pub(super) fn word(self, name: &str, value: impl Display) -> Self {
+    pub(in crate::releases) fn word(self, name: &str, value: impl Display) -> Self {
         let _ = write!(self.0, " {name}={value}");
         self
     }
 }
 
 /// What can be the value of a fact.
-pub(super) trait Fact {
+pub(in crate::releases) trait Fact {
     /// Appends it. Lengths to the millimetre: the finest that is the same for ever.
     fn write(&self, out: &mut String);
 }
 
 /// An angle \[rad\], a curvature or a slope: to a millionth.
-pub(super) struct Fine(pub(super) f64);
+pub(in crate::releases) struct Fine(pub(in crate::releases) f64);
 
 /// A number with so many digits; −0 is 0.
 fn number(out: &mut String, value: f64, digits: usize) {

@@ -12,7 +12,7 @@ mod objects;
 mod roads;
 mod signals;
 
-use line::Lines;
+pub(super) use line::{Fine, Lines};
 use mapd_client::Map;
 use mapd_query::document::SourcePosition;
 use mapd_query::rules::LaneLine;

@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 pub(crate) const HELP: &str = "Prints the address of the page, and serves it until it is ended. Other machines are refused unless --open lets them look: everyone who can reach the port sees the maps.";
 
-/// Which maps to show, and to whom.
+/// Which maps to show, and at which address.
 #[derive(Args)]
 pub(crate) struct ViewCommand {
     /// .xodr, .mapd or shm:NAME

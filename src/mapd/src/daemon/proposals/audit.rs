@@ -1,4 +1,4 @@
-//! What was said by whom, and what became of it: a line of JSON each, in a file for each map beside what is kept of its overlay.
+//! The audit log: each proposal, its source and the decision as a line of JSON, in a file for each map next to its kept overlay.
 
 use crate::clock::since_epoch;
 use mapd_overlay::{Entry, Moment};

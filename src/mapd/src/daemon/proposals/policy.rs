@@ -14,7 +14,7 @@ pub(super) const LONGEST_SOURCE: usize = 100;
 /// Longest time for which a proposal may hold \[s\]: a week.
 const LONGEST: f64 = 7.0 * 24.0 * 3600.0;
 
-/// What a daemon takes of whom.
+/// Which proposals a daemon accepts from which sources.
 #[derive(Debug)]
 pub(crate) struct ProposalPolicy {
     pub(super) rules: Vec<Rule>,
