@@ -586,6 +586,25 @@ fn sequences_follow_every_way() {
     assert_eq!(out.network().reached().len(), 2);
 }
 
+/// A cycle of centimetres, which only `--cycles report` leaves in a map, would be gone round thousands of times.
+#[test]
+fn sequences_do_not_go_round_a_cycle_without_progress() {
+    let links = link("p road 1 end") + &link("s road 1 start");
+    let line = Line(0.0, 0.0, 0.0, 0.04, 0.0);
+    let own = road("1", "junction=\"-1\"", line, &links, &section(0.0, "", &lane(-1, "p-1 s-1")));
+    let rows = compiled(&document(&own), CyclePolicy::Report).rows.expect("a map");
+    let archive = mapd_archive::encode(&rows, &Default::default()).expect("encodes");
+    let snapshot = Snapshot::from_bytes(archive).expect("opens");
+    let map = snapshot.map();
+    let (mut scratch, mut out) = (RouteScratch::default(), LaneSequences::default());
+    let from = place(map, "1:0:-1", 0.0);
+    map.lane_sequences_ahead(from, 1_000.0, VehicleClass::PassengerCar, &mut scratch, &mut out)
+        .expect("an answer");
+    assert_eq!(out.network().reached().len(), 2);
+    assert_eq!(out.next_sequence().map(<[_]>::len), Some(2));
+    assert_eq!(out.next_sequence(), None);
+}
+
 #[test]
 fn junctions_and_lane_changes_ahead_are_named_with_their_distance() {
     let snapshot = named("connection without lane links");
