@@ -261,6 +261,7 @@ fn the_network_of_a_town_is_whole() {
 
 /// Sequences by plain recursion, at most so many; true if these are all.
 struct Recursion<'a> {
+    vehicle: VehicleClass,
     distance: f64,
     ahead: bool,
     most: usize,
@@ -272,9 +273,12 @@ impl<'a> Recursion<'a> {
     fn go(&mut self, node: LaneNode<'a>, length: f64) -> bool {
         self.nodes.push(node);
         let next: Vec<_> = if self.ahead {
-            node.edges().filter_map(|edge| edge.target()).filter(|to| to.allows(CAR)).collect()
+            node.edges()
+                .filter_map(|edge| edge.target())
+                .filter(|to| to.allows(self.vehicle))
+                .collect()
         } else {
-            node.predecessors().filter(|from| from.allows(CAR)).collect()
+            node.predecessors().filter(|from| from.allows(self.vehicle)).collect()
         };
         let mut all = true;
         if length >= self.distance || next.is_empty() {
@@ -319,16 +323,18 @@ impl<'a> Recursion<'a> {
 fn check_sequences(
     map: Map<'_>,
     from: PositionOnLane,
+    vehicle: VehicleClass,
     (distance, ahead, most): (f64, bool, usize),
     scratch: &mut RouteScratch,
     sequences: &mut LaneSequences,
 ) -> (usize, bool) {
     if ahead {
-        map.lane_sequences_ahead(from, distance, CAR, scratch, sequences).expect("an answer");
+        map.lane_sequences_ahead(from, distance, vehicle, scratch, sequences).expect("an answer");
     } else {
-        map.lane_sequences_behind(from, distance, CAR, scratch, sequences).expect("an answer");
+        map.lane_sequences_behind(from, distance, vehicle, scratch, sequences).expect("an answer");
     }
-    let mut plain = Recursion { distance, ahead, most, nodes: Vec::new(), found: Vec::new() };
+    let mut plain =
+        Recursion { vehicle, distance, ahead, most, nodes: Vec::new(), found: Vec::new() };
     let lane = map.lane(from.lane).expect("a lane");
     let mut all = true;
     for way in [true, false] {
@@ -360,10 +366,13 @@ fn sequences_are_those_of_plain_recursion() {
         let snapshot = open(&file);
         let map = snapshot.map();
         for (from, _) in places(map, CAR, 200) {
-            for ahead in [true, false] {
-                let limits = (250.0, ahead, 5_000);
-                let (count, _) = check_sequences(map, from, limits, &mut scratch, &mut sequences);
-                assert!(count > 0);
+            // Lanes on which cars drive are closed to people on foot, but for the first.
+            for vehicle in [CAR, VehicleClass::Pedestrian] {
+                for ahead in [true, false] {
+                    let (limits, out) = ((250.0, ahead, 5_000), &mut sequences);
+                    let (count, _) = check_sequences(map, from, vehicle, limits, &mut scratch, out);
+                    assert!(count > 0);
+                }
             }
         }
     }
@@ -381,7 +390,7 @@ fn sequences_of_town04_are_complete() {
     let (mut most, mut pieces, mut cut) = (0, 0, 0);
     for (from, _) in places(map, CAR, 400) {
         let limits = (AHEAD, true, 100_000);
-        let (count, all) = check_sequences(map, from, limits, &mut scratch, &mut sequences);
+        let (count, all) = check_sequences(map, from, CAR, limits, &mut scratch, &mut sequences);
         (most, cut) = (most.max(count), cut + usize::from(!all));
         pieces = pieces.max(sequences.network().reached().len());
         let starts = [RouteEnd::from(from)];
@@ -405,7 +414,7 @@ fn sequences_of_town04_are_complete() {
             }
         }
         let limits = (AHEAD, false, 20_000);
-        check_sequences(map, from, limits, &mut scratch, &mut sequences);
+        check_sequences(map, from, CAR, limits, &mut scratch, &mut sequences);
     }
     println!("at most {most} sequences over {pieces} pieces of lanes; {cut} places with more");
     assert!(most > 1_024 && pieces > 20, "{most} sequences over {pieces} pieces");
