@@ -291,7 +291,7 @@ def test_sequences(asked: Asked) -> None:
     for question in asked.kinds["sequences"]:
         s, reach = question.f(1, 2)
         found = asked.map.lane_sequences_ahead((question.numbers[0], s), reach)
-        sizes = [len(found.network.pieces.lane), len(found.network.links.to)]
+        sizes = [len(found.network.pieces.lane), len(found.network.links.end)]
         assert [*sizes, *(number for one in found for number in lanes(one))] == question.answer
 
 

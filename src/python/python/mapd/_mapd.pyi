@@ -1230,6 +1230,7 @@ class LaneSequences:
     def network(self) -> Reach:
         """What all of them lead over, each piece of a lane once, nearest first; its size grows with the map ahead, not with the number of sequences."""
 
+@final
 class Tracker:
     """The lane of a vehicle that drives, from fix to fix (docs/localisation.md). Threads that share it wait for each other.
 
