@@ -416,6 +416,8 @@ fn sequences_of_town04_are_complete() {
         let limits = (AHEAD, false, 20_000);
         check_sequences(map, from, CAR, limits, &mut scratch, &mut sequences);
     }
-    println!("at most {most} sequences over {pieces} pieces of lanes; {cut} places with more");
+    mapd_tests::say(&format!(
+        "at most {most} sequences over {pieces} pieces of lanes; {cut} places with more"
+    ));
     assert!(most > 1_024 && pieces > 20, "{most} sequences over {pieces} pieces");
 }
