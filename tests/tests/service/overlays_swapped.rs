@@ -7,8 +7,9 @@ use mapd_client::{Attach, Snapshot};
 use mapd_tests::test_domain::until;
 use mapd_tests::town::town;
 use std::fs;
+use std::process::Command;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::time::UNIX_EPOCH;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 /// No reader sees a generation without what is laid over it; what does not fit a new map is told, and comes back with the old one.
 #[test]
@@ -63,6 +64,44 @@ fn swaps_never_open_what_is_closed() {
     scene.place.reload("town");
     assert_eq!(scene.list()["entries"][0]["state"], "active");
     assert_eq!(closes(&scene.client(Attach::Observer).snapshot()).as_deref(), Some("works"));
+}
+
+/// What does not fit the served map is kept as long as it was said to hold, and no longer.
+#[test]
+fn what_does_not_fit_is_kept_until_it_ends() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let other = town(3, 3).replace(r#"id="1" junction"#, r#"id="90001" junction"#);
+    let states = || -> Vec<(String, String)> {
+        let list = scene.list();
+        let text = |value: &serde_json::Value| value.as_str().expect("a text").to_owned();
+        let entries = list["entries"].as_array().expect("a list").iter();
+        entries.map(|one| (text(&one["id"]), text(&one["state"]))).collect()
+    };
+    // A busy machine gets more time until the other map is served.
+    let end = [2, 10, 50, 250].into_iter().find_map(|seconds| {
+        fs::write(&scene.map, town(3, 3)).expect("written");
+        scene.place.reload("town");
+        let now = SystemTime::now().duration_since(UNIX_EPOCH).expect("after 1970");
+        let end = now.as_secs() + seconds;
+        let mut date = Command::new("date");
+        let date = date.args(["-u", "-d", &format!("@{end}"), "+%FT%TZ"]).output().expect("ends");
+        let moment = String::from_utf8(date.stdout).expect("text");
+        let times = format!(r#""until":"{}","kind""#, moment.trim());
+        scene.ends(&["apply", "-"], &closed("works", -1).replace(r#""kind""#, &times), 0);
+        fs::write(&scene.map, &other).expect("written");
+        scene.place.reload("town");
+        let found = states();
+        let end = UNIX_EPOCH + Duration::from_secs(end);
+        let is_early = SystemTime::now() < end;
+        assert!(!is_early || found == [("works".to_owned(), "unplaced".to_owned())], "{found:?}");
+        is_early.then_some(end)
+    });
+    let end = end.expect("a reload in time");
+    until("its end", || (SystemTime::now() > end).then_some(()));
+    let more = r#"{"entries":[{"id":"more","kind":"closed","lanes":[{"road":"2","lane":-1}]}]}"#;
+    scene.ends(&["apply", "-"], more, 0);
+    assert_eq!(states(), [("more".to_owned(), "active".to_owned())]);
 }
 
 /// An entry that closes lane −1 of a road and says the number of its overlay.
