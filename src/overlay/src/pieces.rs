@@ -7,14 +7,17 @@ use mapd_archive::{
     CutsRow, OverlayEntryRow, OverlayNodeRow, OverlayRows, PieceRow, Range, TouchedRow,
     overlay_changes_ways,
 };
-use mapd_query::Map;
-use mapd_query::SRange;
 use mapd_query::compiling::{ByRow as _, extremes_of_joined, is_first_joined};
 use mapd_query::graph::LaneNode;
+use mapd_query::{Lane, Map, SRange};
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 /// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out, as when a map is compiled.
 pub(crate) const SHORTEST_PIECE: f64 = 0.1;
+
+/// Share by which lengths or times that are equal may differ for having been summed.
+const ROUNDING: f64 = 1e-9;
 
 /// Where an entry holds on a node.
 #[derive(Clone, Copy)]
@@ -65,25 +68,45 @@ pub(crate) fn fill(map: Map<'_>, marks: &Marks, rows: &mut OverlayRows, held: &m
     }
 }
 
-/// What cutting nodes does to bounds: who changes lanes in the middle of a node drives only a part of the one beside it, which may be longer or slower than its own.
+/// What cutting nodes does to bounds: who changes lanes in the middle of nodes drives only a part of each, where the map's bounds have one of them whole. At least the shortest
+/// of each piece is left. A way leaves each lane of them once at most.
 fn saved(map: Map<'_>, rows: &OverlayRows) -> CutsRow {
     let mut row =
         CutsRow { length_saved: 0.0, length_factor: 1.0, time_saved: 0.0, time_factor: 1.0 };
-    let is_cut = |node: &&OverlayNodeRow| node.pieces.count > 1;
-    for node in rows.nodes.iter().filter(is_cut).filter_map(|own| map.lane_node_by_row(own.node)) {
+    for own in rows.nodes.iter().filter(|own| own.pieces.count > 1) {
+        let Some(node) = map.lane_node_by_row(own.node) else { continue };
+        let pieces = own.pieces.of(&rows.pieces);
         if !is_first_joined(&node) {
             continue;
         }
-        let lengths = extremes_of_joined(&node, |node| node.length());
-        let times = extremes_of_joined(&node, |node| node.travel_time());
-        let add = |saved: &mut f64, factor: &mut f64, [least, most]: [f64; 2]| {
-            *saved = (*saved + (most - least)).min(f64::MAX);
-            if most > least {
+        let add = |saved: &mut f64, factor: &mut f64, part: &dyn Fn(&Lane<'_>, f64, f64) -> f64| {
+            let lanes = Cell::new(0.0);
+            let whole = |node: &LaneNode<'_>| {
+                lanes.set(lanes.get() + 1.0);
+                let lane = node.lane();
+                lane.map_or(f64::INFINITY, |lane| {
+                    pieces.iter().map(|piece| part(&lane, piece.s_from, piece.s_to)).sum()
+                })
+            };
+            let [_, most] = extremes_of_joined(&node, whole);
+            let least = pieces.iter().map(|piece| {
+                let of = |node: &LaneNode<'_>| {
+                    node.lane().map_or(0.0, |lane| part(&lane, piece.s_from, piece.s_to))
+                };
+                extremes_of_joined(&node, of)[0]
+            });
+            let least: f64 = least.sum();
+            if most * (1.0 - ROUNDING) > least {
+                *saved = (*saved + (most - least) * lanes.get()).min(f64::MAX);
                 *factor = factor.min(least / most);
             }
         };
-        add(&mut row.length_saved, &mut row.length_factor, lengths);
-        add(&mut row.time_saved, &mut row.time_factor, times);
+        add(&mut row.length_saved, &mut row.length_factor, &|lane, from, to| {
+            lane.length_between(from, to)
+        });
+        add(&mut row.time_saved, &mut row.time_factor, &|lane, from, to| {
+            lane.time_between(from, to)
+        });
     }
     row
 }

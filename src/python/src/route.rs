@@ -262,8 +262,9 @@ impl LaneSequences {
     /// What all of them lead over, each piece of a lane once, nearest first; its size grows with the map ahead, not with the number of sequences.
     #[getter]
     fn network<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let found = self.found.lock().unwrap_or_else(PoisonError::into_inner);
-        network_result(py, &self.held, found.network())
+        // Not under the lock: results are made by Python code, in between which other threads run.
+        let found = self.found.lock().unwrap_or_else(PoisonError::into_inner).network().clone();
+        network_result(py, &self.held, &found)
     }
 }
 

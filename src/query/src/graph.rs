@@ -126,10 +126,18 @@ impl<'a> LaneNode<'a> {
         to.allows(class) || self.stays_on_closed(to, class)
     }
 
-    /// Whether one that follows is the same lane, and both are closed: however a lane is cut, who is on it may leave it at its end.
+    /// Whether one that follows is the next piece of the same lane, and both are closed: however a lane is cut, who is on it may leave it at its end.
     pub(crate) fn stays_on_closed(&self, to: &LaneNode<'_>, class: VehicleClass) -> bool {
-        let same = self.row.lane() == to.row.lane() && self.is_forward() == to.is_forward();
-        same && !self.allows(class) && !to.allows(class)
+        if self.allows(class) || to.allows(class) || self.row.lane() != to.row.lane() {
+            return false;
+        }
+        // A lane may also lead to its own beginning: that is to enter it.
+        let before = |node: &LaneNode<'_>| node.piece.map_or(0.0, |piece| piece.row.before());
+        let is_next = match self.number == to.number {
+            true => before(to) > before(self),
+            false => self.number.checked_add(1) == Some(to.number),
+        };
+        is_next && self.is_forward() == to.is_forward()
     }
 
     /// Whether any class of vehicles may use it.
@@ -288,7 +296,7 @@ impl<'a> Conflict<'a> {
     }
 
     /// Who goes first, by what the file says; [`Relation::Unknown`] where a rule of the road would have to say
-    /// ([`RightOfWay::relation_by`](crate::rules::RightOfWay::relation_by)), and where no rule of junctions applies.
+    /// ([`RightOfWay::relation_by`](crate::rules::RightOfWay::relation_by)), and where no rule of junctions applies or nothing decides.
     pub fn relation(&self) -> Relation {
         Basis::written(self.row)
     }
@@ -300,7 +308,11 @@ impl<'a> Conflict<'a> {
 
     /// Who goes first as it is stored, by what right-before-left and the rule of turns would say too.
     pub(crate) fn stored_relation(&self) -> Relation {
-        Relation::from_code(self.row.relation())
+        match Relation::from_code(self.row.relation()) {
+            // Nothing decides: of what is not known, only directions tell it apart.
+            Relation::Open => Relation::Unknown,
+            relation => relation,
+        }
     }
 
     /// Why; where nothing is written, which rule of the road would have to say.

@@ -50,7 +50,8 @@ vec3 shade(float h) {
 }
 void main() {
   float a = alpha < 1.0 ? color.a : 1.0;
-  vec3 rgb = share < 0.0 ? color.rgb : shade(share);
+  // At a triangle's edge a varying may lie beyond those of its corners.
+  vec3 rgb = share < -0.5 ? color.rgb : shade(clamp(share, 0.0, 1.0));
   if (kind == hatched && metre > 0.0) {
     float stripe = fract((ground.x + ground.y) * 0.5);
     a *= stripe < 0.5 ? 1.5 : 0.5;

@@ -14,18 +14,19 @@ use std::time::UNIX_EPOCH;
 const CAR: VehicleClass = VehicleClass::PassengerCar;
 const WIDTH: &str = "a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"";
 
-/// Roads S, A and E, one behind the other. On A lane −1 is fast and ends, lane −2 beside it is slow and leads on, as does lane −3, to which one changes on S only.
-fn fast_beside_slow() -> Snapshot {
-    let lane_of = |id: i32, links: &str, speed: f64, [mark, change]: [&str; 2]| {
+/// Roads S, A and E, one behind the other. On A lane −1 ends, lane −2 beside it leads on, as does lane −3, to which one changes on S only. Each has two speed limits, the second
+/// from the middle on.
+fn map_of(speeds: [[f64; 2]; 3]) -> Snapshot {
+    let lane_of = |id: i32, links: &str, [first, second]: [f64; 2], [mark, change]: [&str; 2]| {
         let more = format!(
-            r#"<roadMark sOffset="0" type="{mark}" laneChange="{change}"/><speed sOffset="0" max="{speed}" unit="m/s"/>"#
+            r#"<roadMark sOffset="0" type="{mark}" laneChange="{change}"/><speed sOffset="0" max="{first}" unit="m/s"/><speed sOffset="500" max="{second}" unit="m/s"/>"#
         );
         wide(id, "", links, WIDTH, &more)
     };
     let two = |links: [&str; 2]| section(0.0, "", &(lane(-1, links[0]) + &lane(-2, links[1])));
-    let middle = lane_of(-1, "p-1", 50.0, ["broken", "both"])
-        + &lane_of(-2, "s-1", 2.0, ["solid", "none"])
-        + &lane_of(-3, "p-2 s-2", 4.0, ["solid", "none"]);
+    let middle = lane_of(-1, "p-1", speeds[0], ["broken", "both"])
+        + &lane_of(-2, "s-1", speeds[1], ["solid", "none"])
+        + &lane_of(-3, "p-2 s-2", speeds[2], ["solid", "none"]);
     let roads = [
         road(
             "S",
@@ -66,12 +67,12 @@ impl RouteCost for WithoutBound {
 }
 
 /// The cost of the fastest way from S to E under an overlay that cuts A's lanes, which Dijkstra's algorithm finds, too.
-fn check(cuts: [f64; 2]) -> f64 {
-    let snapshot = fast_beside_slow();
+fn check(speeds: [[f64; 2]; 3], (closed, cuts): (i32, [f64; 2])) -> f64 {
+    let snapshot = map_of(speeds);
     let map = snapshot.map();
     let [from, to] = cuts;
     let text = format!(
-        r#"{{"entries":[{{"id":"works","kind":"closed","lanes":[{{"road":"A","s":[{from},{to}],"lane":-2}}]}}]}}"#
+        r#"{{"entries":[{{"id":"works","kind":"closed","lanes":[{{"road":"A","s":[{from},{to}],"lane":{closed}}}]}}]}}"#
     );
     let (bytes, resolved) = over(map, &text, false);
     assert_eq!(resolved.unplaced, []);
@@ -94,8 +95,18 @@ fn check(cuts: [f64; 2]) -> f64 {
 
 #[test]
 fn a_change_to_a_slower_lane_far_along_is_found() {
-    let costs = [[100.0, 200.0], [300.0, 500.0], [500.0, 600.0], [700.0, 900.0]].map(check);
+    let speeds = [[50.0; 2], [2.0; 2], [4.0; 2]];
+    let cuts = [[100.0, 200.0], [300.0, 500.0], [500.0, 600.0], [700.0, 900.0]];
+    let costs = cuts.map(|cuts| check(speeds, (-2, cuts)));
     // The later the fast lane may be left, the sooner one arrives.
     assert!(costs.windows(2).all(|pair| pair[1] <= pair[0]), "{costs:?}");
     assert!(costs[3] < 0.5 * costs[0], "{costs:?}");
+}
+
+/// Lanes that take as long as each other, each fast where the other one is slow.
+#[test]
+fn the_fast_part_of_each_lane_is_found() {
+    let cost = check([[50.0, 2.0], [2.0, 50.0], [5.0; 2]], (-2, [490.0, 500.0]));
+    // 500 m on either at 50 m/s; on the third lane 200 s.
+    assert!(cost < 60.0, "{cost}");
 }

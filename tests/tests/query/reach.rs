@@ -275,10 +275,11 @@ impl<'a> Recursion<'a> {
         let next: Vec<_> = if self.ahead {
             node.edges()
                 .filter_map(|edge| edge.target())
-                .filter(|to| to.allows(self.vehicle))
+                .filter(|to| to.allows(self.vehicle) || self.is_left(&node, to))
                 .collect()
         } else {
-            node.predecessors().filter(|from| from.allows(self.vehicle)).collect()
+            let open = |from: &LaneNode<'_>| from.allows(self.vehicle) || self.is_left(from, &node);
+            node.predecessors().filter(open).collect()
         };
         let mut all = true;
         if length >= self.distance || next.is_empty() {
@@ -294,6 +295,18 @@ impl<'a> Recursion<'a> {
         }
         self.nodes.pop();
         all
+    }
+
+    /// Whether a closed lane is driven on where the first ends, to be left.
+    fn is_left(&self, first: &LaneNode<'_>, second: &LaneNode<'_>) -> bool {
+        let id = |node: &LaneNode<'_>| node.lane().expect("a lane").lane_id();
+        let [end, begin] = match first.is_forward() {
+            true => [first.s_range().high, second.s_range().low],
+            false => [first.s_range().low, second.s_range().high],
+        };
+        let is_next = id(first) == id(second) && end == begin;
+        let is_open = [first, second].iter().any(|node| node.allows(self.vehicle));
+        is_next && first.is_forward() == second.is_forward() && !is_open
     }
 
     /// Lanes of the nodes; one that goes on where the node before ends, in the same direction, is the same lane.

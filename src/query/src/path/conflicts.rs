@@ -75,7 +75,7 @@ pub struct PathConflict {
     /// Why; what a rule of the road would say where `yields` is [`Yields::Unknown`].
     pub reason: RelationReason,
     /// Who goes first in the map's own terms: as `yields`, and where a rule of the road would have to say, what right-before-left and the
-    /// rule of turns say.
+    /// rule of turns say; [`Relation::Unknown`] where nothing decides.
     pub relation: Relation,
     /// Whether both come by equal roads, as far as the file says (of one type, with one speed limit, and no motorway), and neither joins a road on
     /// which the other goes straight on, as a ramp does. The rule of the side holds among such alone.

@@ -187,7 +187,8 @@ fn ahead<'a>(ways: impl Ways<'a>, own: &mut PathSegment, next: &[PathSegment]) {
     // The path is known to lead on, also over lanes too short to be driven.
     // A closed lane is left at its end, however it is cut.
     let stays = |to: &&PathSegment| {
-        to.open || (!own.open && (to.lane, to.forward) == (own.lane, own.forward))
+        let is_next = || ways.follows(own.node, to.node);
+        to.open || (!own.open && (to.lane, to.forward) == (own.lane, own.forward) && is_next())
     };
     for to in next.iter().filter(stays).filter(|to| (exit && to.entry) || leads_to(to)) {
         lane_end = lane_end.max(to.lane_end);

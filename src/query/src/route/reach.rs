@@ -136,7 +136,7 @@ impl<'a> Map<'a> {
     }
 
     /// What a request's goals can be reached from within a cost, with the ways back: the network of lanes that lead there. Its starts
-    /// count for nothing.
+    /// count for nothing. Closed lanes are not among them, though who is on one may leave it.
     ///
     /// Errors: as [`Map::find_route`].
     pub fn reach_to(
@@ -183,7 +183,10 @@ pub(crate) fn network<'a>(
         let at = |other: u32| ways.node(other).unwrap_or(node);
         if ahead {
             ways.ahead(own.number, |next| {
-                link(scratch, next, price(cost.enter(&node, &at(next))), Enter::Ahead);
+                let to = at(next);
+                if node.leads_into(&to, request.vehicle) {
+                    link(scratch, next, price(cost.enter(&node, &to)), Enter::Ahead);
+                }
             });
         } else {
             ways.behind(own.number, |from| {
@@ -207,7 +210,9 @@ pub(crate) fn network<'a>(
             // Changes to the right lead here from the left.
             let enter = if left == ahead { Enter::Left } else { Enter::Right };
             if ahead && let Some(to) = ways.change(own.number, &node, left) {
-                link(scratch, to, price(cost.change(&node, &at(to))), enter);
+                if at(to).allows(request.vehicle) {
+                    link(scratch, to, price(cost.change(&node, &at(to))), enter);
+                }
             } else if !ahead && let Some(from) = ways.changes_from(own.number, &node, left) {
                 link(scratch, from, price(cost.change(&at(from), &node)), enter);
             }

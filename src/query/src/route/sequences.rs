@@ -15,6 +15,8 @@ use mapd_archive::VehicleClass;
 
 /// Lanes that are followed to the next junction at most: a damaged archive might lead round in a circle.
 const MOST_LANES: usize = 4096;
+/// Pieces of a sequence at most: round a cycle, a distance alone would not limit it.
+const MOST_PIECES: usize = 1 << 16;
 /// A cycle of lanes this long at most is not followed round `[m]`: no network may have one (`mapd:graph.no_progress`), and nobody would get far on it.
 const NO_PROGRESS: f64 = 1.0;
 
@@ -66,7 +68,7 @@ pub struct NextJunction {
 }
 
 impl LaneSequences {
-    /// Buffers that need not grow for this many pieces of lanes that lie within the distance, with as many links.
+    /// Buffers that need not grow for this many pieces of lanes that lie within the distance, with as many links, where no sequence goes round a cycle.
     pub fn with_capacity(pieces: usize) -> Self {
         Self {
             network: Reach::with_capacity(pieces),
@@ -87,9 +89,10 @@ impl LaneSequences {
     /// The next sequence, from the lane of the start on, in the direction in which it is followed; none after the last one. At a fork that leads on by
     /// the first link comes before that by the second.
     ///
-    /// Sequences are made while they are asked for: their number doubles with each fork, and there is no limit to it.
+    /// Sequences are made while they are asked for: their number doubles with each fork, and there is no limit to it. One of more than 65,536 pieces of lanes ends there.
     pub fn next_sequence(&mut self) -> Option<&[LaneId]> {
         loop {
+            let is_short = self.followed.len() < MOST_PIECES;
             let Some(last) = self.followed.last_mut() else {
                 if self.begun >= self.starts {
                     self.lanes.clear();
@@ -101,7 +104,7 @@ impl LaneSequences {
             };
             let Followed { piece, length, tried, .. } = *last;
             let links = self.network.links(piece);
-            if let Some(link) = links.get(tried).filter(|_| length < self.distance) {
+            if let Some(link) = links.get(tried).filter(|_| length < self.distance && is_short) {
                 last.tried += 1;
                 let next = link.to;
                 let before = self.entered.get(next).copied().unwrap_or(length);
@@ -235,10 +238,17 @@ impl<'a> Map<'a> {
         } else {
             (tables.predecessor_offsets, tables.predecessors)
         };
+        // A closed lane is followed only over its further pieces.
+        let leads = |node: u32, next: u32| {
+            let both = LaneNode::new(*self, node).zip(LaneNode::new(*self, next));
+            both.is_some_and(|(node, next)| {
+                let [first, second] = if ahead { [&node, &next] } else { [&next, &node] };
+                next.allows(vehicle) || first.stays_on_closed(second, vehicle)
+            })
+        };
         let go_on = |scratch: &mut RouteScratch, node: u32, length: f64| {
             for next in edges_of(offsets, targets, node) {
-                let is_open = LaneNode::new(*self, *next).is_some_and(|next| next.allows(vehicle));
-                if length < distance && is_open && scratch.improve(*next, length, 0) {
+                if length < distance && leads(node, *next) && scratch.improve(*next, length, 0) {
                     scratch.heap.push(Open::new(length, length, *next));
                 }
             }
@@ -274,7 +284,8 @@ impl<'a> Map<'a> {
             let end = if ahead { own.cost + length } else { own.cost };
             if end < distance {
                 let next = edges_of(offsets, targets, own.number).iter();
-                let known = next.filter_map(|next| scratch.label(*next));
+                let known = next.filter(|next| leads(own.number, **next));
+                let known = known.filter_map(|next| scratch.label(*next));
                 links.extend(
                     known.map(|to| ReachLink { to: to.parent as usize, enter: Enter::Ahead }),
                 );
@@ -309,7 +320,9 @@ impl<'a> Map<'a> {
             if passed > distance {
                 break;
             }
-            let mut ways = node.edges().filter_map(|e| e.target()).filter(|n| n.allows(vehicle));
+            let from = node;
+            let ahead = from.edges().filter_map(|edge| edge.target());
+            let mut ways = ahead.filter(|next| from.leads_into(next, vehicle));
             let Some(next) = ways.next() else { break };
             let junction = |n: &LaneNode<'_>| Some(n.lane()?.road().junction()?.junction_id());
             if let Some(own) = junction(&next) {
