@@ -171,7 +171,7 @@ impl ArchivedCutsRow {
     pub fn length_saved(&self) -> f64 {
         self.length_saved.to_native()
     }
-    /// Smallest quotient of the lengths of nodes that are cut and joined by changes of lane, at most 1.
+    /// Of nodes that are cut and joined by changes of lane, the smallest quotient of what is left at least, the shortest of each piece, and the longest node; at most 1.
     #[inline]
     pub fn length_factor(&self) -> f64 {
         self.length_factor.to_native()

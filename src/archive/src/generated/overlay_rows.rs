@@ -132,7 +132,7 @@ const _: () = assert!(size_of::<SignalEntryRow>() == 8 && size_of::<ArchivedSign
 pub struct CutsRow {
     /// `[m]` By how much such changes shorten all ways together: no way is shorter by more.
     pub length_saved: f64,
-    /// Smallest quotient of the lengths of nodes that are cut and joined by changes of lane, at most 1.
+    /// Of nodes that are cut and joined by changes of lane, the smallest quotient of what is left at least, the shortest of each piece, and the longest node; at most 1.
     pub length_factor: f64,
     /// `[s]` As `length_saved`, of times at the map's speed limits.
     pub time_saved: f64,
