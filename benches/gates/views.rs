@@ -40,7 +40,7 @@ const WRITTEN: [Bound; 5] = [
     Bound { kind: "match", runs: [100, 900], most: [1.20, 1.20] },
     Bound { kind: "speed", runs: PLACES, most: [1.20, 1.20] },
     Bound { kind: "allows", runs: PLACES, most: [1.52, 1.37] },
-    Bound { kind: "today-route", runs: ROUTES, most: [1.48, 1.94] },
+    Bound { kind: "today-route", runs: ROUTES, most: [1.48, 1.84] },
     Bound { kind: "reachable", runs: ROUTES, most: [1.20, 1.44] },
 ];
 /// Places of the short and of the long run.

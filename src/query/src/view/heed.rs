@@ -1,13 +1,16 @@
 //! The lane graph with an overlay applied, for searches.
 
 use super::{View, is_touched, node_row};
-use crate::graph::{LaneNode, extremes_of_joined};
+use crate::graph::LaneNode;
 use crate::lane::{Lane, edges_of};
 use crate::map::Map;
 use crate::route::{Bounds, Ways};
 use crate::rules::{SpeedOrigin, SpeedRule};
 use mapd_archive::{ArchivedTouchedRow, NONE, OverlayTables, VehicleClass};
 use std::ops::Range;
+
+/// Share by which a sum of lengths or times in single precision may be too small.
+const ROUNDING: f64 = 1e-6;
 
 /// A view, for a class of vehicles.
 ///
@@ -90,30 +93,34 @@ impl<'a> OverlaidGraph<'a> {
         if pieces.is_empty() { node } else { self.nodes + pieces.start }
     }
 
-    /// The most that can lie before a piece of a node `[cost]`. From the piece one may change to one beside it, so that of the other's node as much is passed: all of the
-    /// longest counts, since a node's parts need not count as their lengths do.
-    fn most_before(&self, bounds: &Bounds<'a>, node: u32) -> f64 {
-        let Some(whole) = LaneNode::new(self.view.map, node) else { return f64::INFINITY };
-        let [_, most] = match bounds.times {
-            true => extremes_of_joined(&whole, |node| node.travel_time()),
-            false => extremes_of_joined(&whole, |node| node.length()),
-        };
-        most * bounds.per_unit
+    /// What the map's speeds make of a node's pieces before one that begins at this share of it `[cost]`.
+    fn passed(&self, bounds: &Bounds<'a>, node: u32, before: f32) -> f64 {
+        let Some(tables) = self.view.tables() else { return f64::INFINITY };
+        let rows = self.view.pieces_of(node);
+        let rows = tables.pieces.get(rows.start as usize..rows.end as usize).unwrap_or(&[]);
+        let mut sum = 0.0;
+        for row in rows.iter().take_while(|row| row.before() < before) {
+            sum += f64::from(if bounds.times { row.time() } else { row.length() });
+        }
+        sum * bounds.per_unit * (1.0 + ROUNDING)
     }
 
-    /// What is left of a bound where ways may be shorter than the map says, or on a piece of a node behind others.
+    /// What is left of a bound where ways may be shorter than the map says, or on a piece of a node behind others: whoever goes on from there would also come there from the
+    /// node's beginning, over the pieces before.
     #[cold]
-    fn shortened(&self, mut least: f64, bounds: &Bounds<'a>, behind: Option<u32>) -> f64 {
+    fn shortened(&self, mut least: f64, bounds: &Bounds<'a>, behind: Option<(u32, f32)>) -> f64 {
         if least == 0.0 {
             return least;
         }
-        if let Some(node) = behind {
-            least -= self.most_before(bounds, node);
+        if self.shortens {
+            let Some([raised, length, time]) = shortenings(self.view.tables()) else { return 0.0 };
+            let all = if bounds.times { [time, raised] } else { [length, Shortening::NONE] };
+            for one in all {
+                least = one.left(least, bounds.per_unit);
+            }
         }
-        let Some([raised, length, time]) = shortenings(self.view.tables()) else { return 0.0 };
-        let all = if bounds.times { [time, raised] } else { [length, Shortening::NONE] };
-        for one in all {
-            least = one.left(least, bounds.per_unit);
+        if let Some((node, before)) = behind {
+            least -= self.passed(bounds, node, before);
         }
         least.max(0.0)
     }
@@ -209,9 +216,10 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
     fn least(&self, bounds: &Bounds<'a>, node: &LaneNode<'a>) -> f64 {
         let least = bounds.least(node.row);
         // Apart, so that the search itself stays short.
-        let is_behind = node.piece.is_some_and(|piece| piece.row.before() > 0.0);
-        if self.shortens || is_behind {
-            return self.shortened(least, bounds, is_behind.then_some(node.number));
+        let before = node.piece.map_or(0.0, |piece| piece.row.before());
+        if self.shortens || before > 0.0 {
+            let behind = (before > 0.0).then_some((node.number, before));
+            return self.shortened(least, bounds, behind);
         }
         least
     }
