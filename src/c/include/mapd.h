@@ -5401,7 +5401,8 @@ mapd_code mapd_lane_sequences(const struct mapd_snapshot *snapshot,
 
 /*
  The next of the sequences that the last `mapd_lane_sequences` with this scratch found: its lanes, from the one of the place on, in the direction in which it is
- followed. `MAPD_CODE_NONE` after the last one. After `MAPD_CODE_TOO_SMALL` the next call tells the same one. Their number doubles with each fork.
+ followed. `MAPD_CODE_NONE` after the last one. After `MAPD_CODE_TOO_SMALL` the next call tells the same one. Their number doubles with each fork; one of more than 65,536
+ pieces of lanes ends there.
 
  Errors: null where something is needed.
  */

@@ -35,8 +35,8 @@ _DTYPES: dict[str, type[np.generic]] = {
 class Columns:
     """Named columns of one length: attributes, ``columns["s"]``, ``dict(columns)``, ``to_pandas()``, ``to_polars()``.
 
-    ``Class(n)`` makes one with room for n rows, to be given as ``out=`` to calls that fill it again and again. It keeps the memory that a call needs, as much again as the
-    columns have, so that from the second call on nothing is allocated that grows with n. An error leaves the columns as they were.
+    ``Class(n)`` makes one with room for n rows, to be given as ``out=`` to calls that fill it again and again. It keeps the memory that a call needs, two to three times
+    that of the columns, so that from the second call on nothing is allocated that grows with n. An error leaves the columns as they were.
     """
 
     _dtypes: ClassVar[dict[str, type[np.generic]]] = {}
