@@ -1,7 +1,6 @@
 //! Chebyshev polynomials on [−1, 1]: interpolation, and shortening of a power series with a known error.
 
 use crate::primitive::TERMS;
-use core::f64::consts::PI;
 
 /// Terms of the power series that are shortened. The pieces are short enough for the rest to be below 1e-18.
 pub(super) const SERIES: usize = 32;
@@ -42,14 +41,43 @@ pub(super) fn shorten(mut series: [f64; SERIES]) -> ([f64; TERMS], f64) {
     (short, error)
 }
 
+/// cos(πk/9) for k = 0 to 4.
+const COSINES: [f64; 5] =
+    [1.0, 0.939_692_620_785_908_4, 0.766_044_443_118_978, 0.5, 0.173_648_177_666_930_36];
+
+/// cos(π(k + ½)/9) for k = 0 to 3; for k = 4 it is 0.
+const COSINES_BETWEEN: [f64; 4] = [
+    0.984_807_753_012_208,
+    0.866_025_403_784_438_6,
+    0.642_787_609_686_539_4,
+    0.342_020_143_325_668_7,
+];
+
+/// cos(πk/9) for k = 0 to 17: a whole turn.
+static TURN: [f64; 2 * LAST] = {
+    let mut turn = [0.0; 2 * LAST];
+    let mut k = 0;
+    while k < 2 * LAST {
+        // The same forwards and backwards, and of the other sign beyond a quarter.
+        let half = if k > LAST { 2 * LAST - k } else { k };
+        turn[k] = if half < 5 { COSINES[half] } else { -COSINES[LAST - half] };
+        k += 1;
+    }
+    turn
+};
+
+/// The degree of what is interpolated.
+const LAST: usize = TERMS - 1;
+
 /// The nodes of [`interpolate`], ascending from −1 to 1, both ends included so that pieces join without a gap.
 pub(super) fn nodes() -> [f64; TERMS] {
-    core::array::from_fn(|k| -libm::cos(PI * k as f64 / (TERMS - 1) as f64))
+    core::array::from_fn(|k| -TURN[k])
 }
 
 /// Halfway between the nodes in angle, where an interpolation is farthest off.
 pub(super) fn checks() -> [f64; TERMS - 1] {
-    core::array::from_fn(|k| -libm::cos(PI * (k as f64 + 0.5) / (TERMS - 1) as f64))
+    let [a, b, c, d] = COSINES_BETWEEN;
+    [-a, -b, -c, -d, 0.0, d, c, b, a]
 }
 
 /// The polynomial through `values` at [`nodes`], in ascending order of power.
@@ -59,14 +87,12 @@ pub(super) fn interpolate(values: &[f64; TERMS]) -> [f64; TERMS] {
 
 /// Factors of T_0 to T_9 of the polynomial through `values` at [`nodes`].
 pub(super) fn factors(values: &[f64; TERMS]) -> [f64; TERMS] {
-    const LAST: usize = TERMS - 1;
     let half_at_ends = |k: usize| if k == 0 || k == LAST { 0.5 } else { 1.0 };
     core::array::from_fn(|degree| {
         let mut factor = 0.0;
         for (k, value) in values.iter().enumerate() {
             // T_n at the node −cos(πk/9) = cos(π(9 − k)/9); the angle is reduced exactly, in whole numbers.
-            let angle = (degree * (LAST - k)) % (2 * LAST);
-            factor += half_at_ends(k) * value * libm::cos(PI * angle as f64 / LAST as f64);
+            factor += half_at_ends(k) * value * TURN[degree * (LAST - k) % TURN.len()];
         }
         factor * (half_at_ends(degree) * 2.0 / LAST as f64)
     })
