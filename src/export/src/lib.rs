@@ -46,7 +46,7 @@ pub use lanelet2::Report;
 pub use layers::Layer;
 use mapd_client::Snapshot;
 #[cfg(feature = "html")]
-pub use mapd_web::page::{Findings, Found};
+pub use mapd_web::page::{Findings, ReportedFinding};
 pub use options::{Format, Options, Progress};
 use std::io::Write;
 #[cfg(any(feature = "flatgeobuf", feature = "geojson", feature = "svg"))]

@@ -55,6 +55,24 @@ pub struct Chunk {
     pub strokes: [u32; 2],
 }
 
+/// A point of a line beside a road.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgePoint {
+    /// Along the road `[m]`.
+    pub s: f64,
+    /// In space `[m]`.
+    pub position: DVec3,
+}
+
+/// How an area is filled.
+#[derive(Clone, Copy, Debug)]
+pub struct Fill {
+    /// Number of the paint.
+    pub paint: u8,
+    /// Level on which it lies.
+    pub level: i64,
+}
+
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Pen {
@@ -120,38 +138,38 @@ impl Drawing {
         self.corners.push(corner);
     }
 
-    /// Adds the strip between two lines of ascending s, each with s and place.
+    /// Adds the strip between two lines of ascending s.
     pub fn strip(
         &mut self,
-        left: impl Iterator<Item = (f64, DVec3)>,
-        right: impl Iterator<Item = (f64, DVec3)>,
-        (paint, level): (u8, i64),
+        left: impl Iterator<Item = EdgePoint>,
+        right: impl Iterator<Item = EdgePoint>,
+        fill: Fill,
     ) {
-        let paint = code(paint, level);
+        let paint = code(fill.paint, fill.level);
         let (mut left, mut right) = (left.peekable(), right.peekable());
         let mut last: [Option<u32>; 2] = [None, None];
         loop {
             // The line whose next point comes first goes on; at the start both have one.
             let side = match (left.peek(), right.peek()) {
-                (Some((a, _)), Some((b, _))) => usize::from(last[0].is_some() && b < a),
+                (Some(a), Some(b)) => usize::from(last[0].is_some() && b.s < a.s),
                 (Some(_), None) => 0,
                 (None, Some(_)) => 1,
                 (None, None) => break,
             };
-            let Some((_, place)) = (if side == 0 { left.next() } else { right.next() }) else {
+            let Some(point) = (if side == 0 { left.next() } else { right.next() }) else {
                 break;
             };
             let number = self.corners.len() as u32;
-            self.corner(place, paint);
+            self.corner(point.position, paint);
             if let [Some(a), Some(b)] = last {
                 self.triangles.extend([a, b, number]);
             }
             last[side] = Some(number);
             if last[1].is_none()
-                && let Some((_, place)) = right.next()
+                && let Some(point) = right.next()
             {
                 last[1] = Some(self.corners.len() as u32);
-                self.corner(place, paint);
+                self.corner(point.position, paint);
             }
         }
     }
@@ -250,11 +268,11 @@ mod tests {
     #[test]
     fn a_strip_covers_what_lies_between_its_lines() {
         let mut drawing = Drawing::new(DVec3::ZERO);
-        let line =
-            |y: f64, s: &[f64]| s.iter().map(|s| (*s, DVec3::new(*s, y, 0.0))).collect::<Vec<_>>();
+        let point = |s: f64, y: f64| EdgePoint { s, position: DVec3::new(s, y, 0.0) };
+        let line = |y: f64, s: &[f64]| s.iter().map(|s| point(*s, y)).collect::<Vec<_>>();
         drawing.near(DVec2::ZERO);
         let (left, right) = (line(3.0, &[0.0, 1.0, 4.0, 10.0]), line(0.0, &[0.0, 10.0]));
-        drawing.strip(left.into_iter(), right.into_iter(), (1, 0));
+        drawing.strip(left.into_iter(), right.into_iter(), Fill { paint: 1, level: 0 });
         drawing.finish();
         assert!((area(&drawing) - 30.0).abs() < 1e-4, "{}", area(&drawing));
         assert_eq!(drawing.chunks[0].bounds, [0.0, 0.0, 10.0, 3.0]);

@@ -7,7 +7,7 @@
 mod findings;
 
 use ct_codecs::{Base64, Encoder};
-pub use findings::{Findings, Found};
+pub use findings::{Findings, ReportedFinding};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use sha2::{Digest, Sha256};

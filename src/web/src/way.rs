@@ -1,6 +1,6 @@
 //! A route between two places: its lanes, its room, whom it meets.
 
-use crate::drawing::{Drawing, Pen, level};
+use crate::drawing::{Drawing, EdgePoint, Fill, Pen, level};
 use crate::paint::Paint;
 use crate::place::top_lane;
 use crate::scene::{level_of, middle, object};
@@ -154,8 +154,9 @@ fn draw<'a>(
     view.corridor(path, 0.0, path.length(), STEP, car, &mut corridor)?;
     drawing.near(DVec2::ZERO);
     let level = level(map.bounds().high.z - middle(map).z);
-    let points = |line: &[DVec3]| -> Vec<(f64, DVec3)> {
-        corridor.along.iter().copied().zip(line.iter().copied()).collect()
+    let points = |line: &[DVec3]| -> Vec<EdgePoint> {
+        let both = corridor.along.iter().zip(line);
+        both.map(|(s, position)| EdgePoint { s: *s, position: *position }).collect()
     };
     // A change to the lane beside is no room between two lanes; one ahead goes on without a gap.
     let mut ahead = steps.iter().peekable();
@@ -172,12 +173,13 @@ fn draw<'a>(
     let (left, right) = (points(&corridor.left), points(&corridor.right));
     let ends = changes.iter().copied().chain([corridor.len()]);
     let starts = [0].into_iter().chain(changes.iter().copied());
+    let fill = Fill { paint: Paint::Corridor as u8, level };
     let pen = Pen { paint: Paint::CorridorLine as u8, level, ..Pen::default() };
     for (start, end) in starts.zip(ends) {
         let (left, right) = (&left[start..end], &right[start..end]);
-        drawing.strip(left.iter().copied(), right.iter().copied(), (Paint::Corridor as u8, level));
-        drawing.line(left.iter().map(|(_, point)| *point), &pen);
-        drawing.line(right.iter().map(|(_, point)| *point), &pen);
+        drawing.strip(left.iter().copied(), right.iter().copied(), fill);
+        drawing.line(left.iter().map(|point| point.position), &pen);
+        drawing.line(right.iter().map(|point| point.position), &pen);
     }
     let pen = Pen { paint: Paint::Route as u8, level, width: LINE, dashes: None };
     let line: Result<Vec<DVec3>, QueryError> =

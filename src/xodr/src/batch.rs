@@ -41,6 +41,14 @@ impl Batch {
     }
 }
 
+/// The rest of a document that is read in batches.
+pub struct RestOfDocument<'a> {
+    /// What reading a batch needs to know of the document.
+    pub context: Context,
+    /// The text, to be cut into batches.
+    pub cutter: Cutter<'a>,
+}
+
 /// Cuts what is left of a document into batches.
 pub struct Cutter<'a> {
     pub(crate) source: Source<'a>,

@@ -48,7 +48,7 @@ mod window;
 mod written;
 
 pub use attribute::{Attribute, PositionOrEnd, SpeedLimit, Text, Value};
-pub use batch::{Batch, Context, Cutter, ReadBatch};
+pub use batch::{Batch, Context, Cutter, ReadBatch, RestOfDocument};
 pub use extension::{Extension, ExtensionElement, ExtensionKind, Extensions};
 pub use finding::{Finding, Severity, Span};
 pub use generated::*;

@@ -1,6 +1,8 @@
 //! The stream of top-level elements.
 
-use crate::batch::{Batch, Context, ContextData, Cutter, Entered, ReadBatch, ReadPart, RootChild};
+use crate::batch::{
+    Batch, Context, ContextData, Cutter, Entered, ReadBatch, ReadPart, RestOfDocument, RootChild,
+};
 use crate::cursor::{Cursor, Markup, NextChild, Open};
 use crate::extension::{Extension, Extensions};
 use crate::finding::{Finding, Severity, Span};
@@ -281,7 +283,7 @@ fn keep(
 impl<'a> Reader<'a> {
     /// Takes away the rest of the document, to be read in batches, and what their reading needs to know. None where that
     /// cannot be done here, as within an included file. Sensible behind the header, which settles the version.
-    pub fn split(&mut self) -> Option<(Context, Cutter<'a>)> {
+    pub fn split(&mut self) -> Option<RestOfDocument<'a>> {
         let State::Inside(root) = &self.state else { return None };
         let cursor = &mut self.cursor;
         if cursor.over || !cursor.outer.is_empty() || cursor.window.stop.is_some() {
@@ -301,7 +303,7 @@ impl<'a> Reader<'a> {
         });
         let nothing = cursor.inputs.nothing(file);
         let rest = cursor.window.hand_over(nothing);
-        Some((context, Cutter::new(rest, &cursor.prefix)))
+        Some(RestOfDocument { context, cutter: Cutter::new(rest, &cursor.prefix) })
     }
 
     /// Takes what was read of the next batch; [`Reader::accepted`] hands it out. Yields the room of its text. Errors: it cannot be read by itself, and is

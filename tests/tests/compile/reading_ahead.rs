@@ -2,7 +2,7 @@
 
 use mapd_tests::{carried, corpus, say};
 use mapd_xodr::source::{Inputs, Places};
-use mapd_xodr::{Finding, Item, Limits, Reader};
+use mapd_xodr::{Finding, Item, Limits, Reader, RestOfDocument};
 use std::path::Path;
 
 /// Everything that a reader yields: items, each with the findings up to it, and those at the end.
@@ -70,7 +70,7 @@ fn in_batches(mut reader: Reader<'_>, bytes: usize) -> Yield {
         }
     }
     let mut accepted = 0;
-    if let Some((context, cutter)) = reader.split() {
+    if let Some(RestOfDocument { context, cutter }) = reader.split() {
         let mut cutter = cutter.with_batch_bytes(bytes);
         let mut cut: std::collections::VecDeque<_> =
             std::iter::from_fn(|| cutter.next()).take(3).collect();

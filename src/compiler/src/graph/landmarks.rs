@@ -17,6 +17,20 @@ const CHANGE_LENGTH: f64 = 20.0;
 /// What a change of lane counts `[s]`: as routing counts it by default.
 const CHANGE_TIME: f64 = 2.0;
 
+/// Distances by place, in steps.
+#[derive(Default)]
+struct Distances {
+    /// Length `[m]` or time `[s]` of a step.
+    step: f64,
+    steps: Vec<u16>,
+}
+
+impl Distances {
+    fn of(reached: &[Reached], places: &[usize], step: f64) -> Self {
+        Self { step, steps: in_steps(reached, places, step) }
+    }
+}
+
 /// What is found about landmarks.
 #[derive(Default)]
 pub(crate) struct Landmarks {
@@ -25,9 +39,8 @@ pub(crate) struct Landmarks {
     /// Number of places.
     count: u32,
     landmarks: u32,
-    /// Distances by place, and their steps.
-    lengths: (f64, Vec<u16>),
-    times: (f64, Vec<u16>),
+    lengths: Distances,
+    times: Distances,
 }
 
 impl Landmarks {
@@ -39,11 +52,11 @@ impl Landmarks {
         if let Some(graph) = rows.graph.first_mut() {
             graph.bounds = self.count;
             (graph.change_length, graph.change_time) = (CHANGE_LENGTH, CHANGE_TIME);
-            (graph.length_step, graph.time_step) = (self.lengths.0, self.times.0);
+            (graph.length_step, graph.time_step) = (self.lengths.step, self.times.step);
             graph.landmarks = self.landmarks;
         }
-        rows.landmark_lengths = self.lengths.1.into();
-        rows.landmark_times = self.times.1.into();
+        rows.landmark_lengths = self.lengths.steps.into();
+        rows.landmark_times = self.times.steps.into();
     }
 }
 
@@ -61,15 +74,15 @@ pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
     if count == 0 || landmarks == 0 {
         return Landmarks {
             bounds: vec![(NONE, [0; 2]); places.len()],
-            lengths: (1.0, Vec::new()),
-            times: (1.0, Vec::new()),
+            lengths: Distances { step: 1.0, steps: Vec::new() },
+            times: Distances { step: 1.0, steps: Vec::new() },
             ..Landmarks::default()
         };
     }
     let ranks = ranks(rows, &places, count as usize);
     let ahead = Network::new(rows, &places, count as usize);
     let behind = ahead.turned();
-    let (chosen, from, to) = choose(&ahead, &behind, &ranks, landmarks);
+    let Chosen { places: chosen, from, to } = choose(&ahead, &behind, &ranks, landmarks);
     let lengths: Vec<Reached> = from.into_iter().chain(to).collect();
     let times: Vec<(&Network, u32)> = [&ahead, &behind]
         .into_iter()
@@ -97,8 +110,8 @@ pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
         bounds: anchors.iter().map(bound).collect(),
         count: kept.len() as u32,
         landmarks: chosen.len() as u32,
-        lengths: (sizes[0], in_steps(&lengths, &kept, sizes[0])),
-        times: (sizes[1], in_steps(&times, &kept, sizes[1])),
+        lengths: Distances::of(&lengths, &kept, sizes[0]),
+        times: Distances::of(&times, &kept, sizes[1]),
     }
 }
 
@@ -219,38 +232,45 @@ impl Reached {
     }
 }
 
-/// Landmarks with the lengths from each and to each.
-type Chosen = (Vec<u32>, Vec<Reached>, Vec<Reached>);
+/// Landmarks.
+#[derive(Default)]
+struct Chosen {
+    places: Vec<u32>,
+    /// Lengths from each.
+    from: Vec<Reached>,
+    /// Lengths to each.
+    to: Vec<Reached>,
+}
 
 /// Chooses landmarks one after the other, each the farthest from those before, at the map's ends.
 fn choose(ahead: &Network, behind: &Network, ranks: &[u32], wanted: usize) -> Chosen {
     let length = |weight: &Weight| weight.length;
-    let (mut places, mut from, mut to): Chosen = Default::default();
+    let mut chosen = Chosen::default();
     let first = (0..ranks.len() as u32).min_by_key(|place| ranks[*place as usize]);
-    let Some(first) = first else { return (places, from, to) };
+    let Some(first) = first else { return chosen };
     let mut nearest = ahead.distances(first, length);
-    while places.len() < wanted.min(ranks.len()) {
+    while chosen.places.len() < wanted.min(ranks.len()) {
         // Places that cannot be reached come last: most are small islands.
         let far = |place: &u32| {
             let distance = nearest[*place as usize];
             let reached = distance.is_finite() && distance > 0.0;
             (reached, if reached { distance.to_bits() } else { 0 }, Reverse(ranks[*place as usize]))
         };
-        let open = (0..ranks.len() as u32).filter(|place| !places.contains(place));
+        let open = (0..ranks.len() as u32).filter(|place| !chosen.places.contains(place));
         let Some(place) = open.max_by_key(far) else { break };
         let (there, back) =
             rayon::join(|| ahead.distances(place, length), || behind.distances(place, length));
-        if places.is_empty() {
+        if chosen.places.is_empty() {
             nearest.fill(f64::INFINITY);
         }
-        places.push(place);
+        chosen.places.push(place);
         for (near, (there, back)) in nearest.iter_mut().zip(there.iter().zip(&back)) {
             *near = near.min(*there).min(*back);
         }
-        from.push(Reached::of(&there));
-        to.push(Reached::of(&back));
+        chosen.from.push(Reached::of(&there));
+        chosen.to.push(Reached::of(&back));
     }
-    (places, from, to)
+    chosen
 }
 
 /// The step in which the largest distance has so many as there may be.

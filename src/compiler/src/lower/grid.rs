@@ -1,6 +1,6 @@
 //! Elevation grids of junctions.
 
-use super::need::ElementContext;
+use super::need::{ElementContext, ElementPath};
 use crate::draft::{Draft, Joint, between};
 use mapd_archive::{ContactPoint, ElevationGridRow, GridRowRow, Range};
 use mapd_rules::catalog::building;
@@ -26,7 +26,11 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         let Some(grid) = junction.elevation_grid.as_deref() else { return };
-        let mut part = ElementContext { span: grid.span, path: (path, "elevationGrid"), findings };
+        let mut part = ElementContext {
+            span: grid.span,
+            path: ElementPath::new(path, "elevationGrid"),
+            findings,
+        };
         let mut refuse = |message: &str| {
             let message = format!("{message}; the junction's roads keep their own heights");
             part.add(&building::ELEVATION_GRID, Severity::Warning, message);

@@ -1,6 +1,6 @@
 //! What lanes say that nothing is built from: how far one sees, and rules in words.
 
-use super::need::ElementContext;
+use super::need::{ElementContext, ElementPath};
 use crate::draft::Draft;
 use crate::without::Extra;
 use mapd_archive::{LaneRuleRow, LaneVisibilityRow};
@@ -19,7 +19,7 @@ impl Draft {
         let lane = self.rows.lanes.len() as u32;
         let mut place = |s: &Option<Attribute<f64>>, span: Span, name: &str| {
             let tail = format!("lanes/laneSection/lane/{name}");
-            let mut part = ElementContext { span, path: (road, &tail), findings };
+            let mut part = ElementContext { span, path: ElementPath::new(road, &tail), findings };
             super::surface::place(s.value(), "sOffset", &mut part).map(|s| section_s + s)
         };
         if !self.without.has(Extra::Visibility) {

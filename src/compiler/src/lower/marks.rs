@@ -1,6 +1,6 @@
 //! Road marks: where each begins, and how it looks.
 
-use super::need::ElementContext;
+use super::need::{ElementContext, ElementPath};
 use super::surface::place;
 use crate::draft::Draft;
 use mapd_archive::{
@@ -36,7 +36,7 @@ impl Draft {
     ) -> u32 {
         let mut own = Vec::with_capacity(marks.len());
         for mark in marks {
-            let path = (road, "lanes/laneSection/lane/roadMark");
+            let path = ElementPath::new(road, "lanes/laneSection/lane/roadMark");
             let mut part = ElementContext { span: mark.span, path, findings };
             let Some(s) = place(mark.s_offset.value(), "sOffset", &mut part) else { continue };
             let style = self.style(mark, section_s + s, &mut part);
@@ -106,7 +106,8 @@ impl Draft {
             let numbers =
                 [&record.ds, &record.a, &record.b, &record.c, &record.d].map(|n| n.value());
             let [Some(ds), Some(a), Some(b), Some(c), Some(d)] = numbers else {
-                let path = (part.path.0, "lanes/laneSection/lane/roadMark/sway");
+                let path =
+                    ElementPath::new(part.path.owner, "lanes/laneSection/lane/roadMark/sway");
                 let mut part = ElementContext { span: record.span, path, findings: part.findings };
                 let message = "expected @ds, @a, @b, @c and @d, found one that can't be used; the record is left out";
                 part.add(&building::RECORD, Severity::Warning, message.to_owned());

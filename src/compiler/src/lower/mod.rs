@@ -33,7 +33,7 @@ use mapd_xodr::{
     self as xodr, Finding, Header, Junction, JunctionType, Position, Road, Severity, Span,
     Text as _, TrafficRule, Value as _,
 };
-use need::ElementContext;
+use need::{ElementContext, ElementPath};
 pub(crate) use objects::{ObjectContext, Owner};
 use objects::{assumed_unit, lanes, orientation};
 use sections::{Layer, OnRoad};
@@ -71,7 +71,8 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         let path = format!("OpenDRIVE/road[@id={}]", road.id.text());
-        let mut part = ElementContext { span: road.span, path: (&path, ""), findings };
+        let mut part =
+            ElementContext { span: road.span, path: ElementPath::of_owner(&path), findings };
         let id = part.need(road.id.as_ref(), "id");
         let length = part.need_along(road.length.value(), "length");
         if length.is_some_and(|length| length < 0.0) {
@@ -95,12 +96,22 @@ impl Draft {
             self.geometries(plan_view, line, &path, findings)
         });
         let records = road.elevation_profile.as_ref().map_or(&[][..], |p| &p.elevation);
-        let elevations = self.cubics(records, 0.0, (&path, "elevationProfile/elevation"), findings);
+        let elevations = self.cubics(
+            records,
+            0.0,
+            ElementPath::new(&path, "elevationProfile/elevation"),
+            findings,
+        );
         let records = road.lateral_profile.as_ref().map_or(&[][..], |p| &p.superelevation);
-        let superelevations =
-            self.cubics(records, 0.0, (&path, "lateralProfile/superelevation"), findings);
+        let superelevations = self.cubics(
+            records,
+            0.0,
+            ElementPath::new(&path, "lateralProfile/superelevation"),
+            findings,
+        );
         let records = lanes.map_or(&[][..], |lanes| &lanes.lane_offset);
-        let lane_offsets = self.cubics(records, 0.0, (&path, "lanes/laneOffset"), findings);
+        let lane_offsets =
+            self.cubics(records, 0.0, ElementPath::new(&path, "lanes/laneOffset"), findings);
         let types = self.types(road, &path, findings);
         let sections = lanes.map_or(&[][..], |lanes| &lanes.lane_section);
         let right_hand = road.rule.value() != Some(TrafficRule::Lht);
@@ -145,7 +156,8 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) -> Option<&'a xodr::Lanes> {
         let chosen = road.permanent_lanes();
-        let mut part = ElementContext { span: road.span, path: (path, "lanes"), findings };
+        let mut part =
+            ElementContext { span: road.span, path: ElementPath::new(path, "lanes"), findings };
         let built = [chosen, road.temporary_lanes()].map(|lanes| lanes.map(|lanes| lanes.span));
         for lanes in road.lanes.iter().filter(|lanes| !built.contains(&Some(lanes.span))) {
             let message =
@@ -155,7 +167,8 @@ impl Draft {
         }
         match chosen {
             None => {
-                part = ElementContext { span: road.span, path: (path, ""), ..part };
+                part =
+                    ElementContext { span: road.span, path: ElementPath::of_owner(path), ..part };
                 part.unusable("lanes", "expected the element lanes, found none".into());
             }
             Some(lanes) if lanes.lane_section.is_empty() => {
@@ -169,7 +182,7 @@ impl Draft {
 
     /// Appends the lanes of a temporary layer. They hang on no other row than their own.
     fn temporary(&mut self, on: OnRoad<'_>, lanes: &xodr::Lanes, findings: &mut Vec<Finding>) {
-        let path = (on.path, "lanes/laneOffset");
+        let path = ElementPath::new(on.path, "lanes/laneOffset");
         let lane_offsets = self.cubics(&lanes.lane_offset, 0.0, path, findings);
         let layer = Layer { is_temporary: true };
         let sections = self.sections(on, layer, &lanes.lane_section, findings);
@@ -179,7 +192,11 @@ impl Draft {
     fn types(&mut self, road: &Road, path: &str, findings: &mut Vec<Finding>) -> Range {
         let before = self.rows.road_types.len();
         for record in &road.r#type {
-            let mut part = ElementContext { span: record.span, path: (path, "type"), findings };
+            let mut part = ElementContext {
+                span: record.span,
+                path: ElementPath::new(path, "type"),
+                findings,
+            };
             let Some(s) = surface::place(record.s.value(), "s", &mut part) else { continue };
             let stated = record.speed.as_deref();
             let max = stated.and_then(|speed| speed.max.value());
@@ -206,7 +223,8 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         let path = "OpenDRIVE/junction";
-        let mut part = ElementContext { span: junction.span, path: (path, ""), findings };
+        let mut part =
+            ElementContext { span: junction.span, path: ElementPath::of_owner(path), findings };
         if part.need(junction.id.as_ref(), "id").is_none() {
             return;
         }
@@ -232,7 +250,7 @@ impl Draft {
         });
         let path = format!("OpenDRIVE/junction[@id={}]", junction.id.text());
         for link in junction.connection.iter().flat_map(|connection| &connection.lane_link) {
-            let path = (path.as_str(), "connection/laneLink");
+            let path = ElementPath::new(&path, "connection/laneLink");
             let mut part = ElementContext { span: link.span, path, findings };
             part.need(link.from.value(), "from");
             part.need(link.to.value(), "to");

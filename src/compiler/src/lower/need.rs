@@ -15,12 +15,32 @@ pub(crate) const FARTHEST: f64 = 1e9;
 /// Largest coefficient of a polynomial, to either side: its values and slopes over [`FARTHEST`] stay numbers.
 pub(crate) const MOST_COEFFICIENT: f64 = 1e12;
 
+/// Path of an element that rows are built from.
+#[derive(Clone, Copy)]
+pub(crate) struct ElementPath<'a> {
+    /// Path of the road or junction, or of what else it belongs to.
+    pub(crate) owner: &'a str,
+    /// From there to the element; empty for the owner itself.
+    pub(crate) inside: &'a str,
+}
+
+impl<'a> ElementPath<'a> {
+    /// The path of an element inside of an owner.
+    pub(crate) fn new(owner: &'a str, inside: &'a str) -> Self {
+        Self { owner, inside }
+    }
+
+    /// The path of the owner itself.
+    pub(crate) fn of_owner(owner: &'a str) -> Self {
+        Self { owner, inside: "" }
+    }
+}
+
 /// An element that rows are built from, and where findings about it go.
 pub(crate) struct ElementContext<'a> {
     /// The element's start tag.
     pub(crate) span: Span,
-    /// Path of the road or junction, and of the element inside.
-    pub(crate) path: (&'a str, &'a str),
+    pub(crate) path: ElementPath<'a>,
     pub(crate) findings: &'a mut Vec<Finding>,
 }
 
@@ -70,8 +90,8 @@ impl ElementContext<'_> {
     }
 
     fn finding(&self, rule: &'static Rule, severity: Severity, message: String) -> Finding {
-        let (base, tail) = self.path;
-        let path = if tail.is_empty() { base.to_owned() } else { format!("{base}/{tail}") };
+        let ElementPath { owner, inside } = self.path;
+        let path = if inside.is_empty() { owner.to_owned() } else { format!("{owner}/{inside}") };
         crate::findings::finding(rule, severity, self.span, path, message, "")
     }
 }

@@ -1,6 +1,6 @@
 //! Outlines of objects as written.
 
-use super::need::ElementContext;
+use super::need::{ElementContext, ElementPath};
 use super::objects::left_out;
 use crate::draft::Draft;
 use crate::draft::{Corner, Curve, Outline};
@@ -27,10 +27,10 @@ impl Draft {
         let mut all = Vec::new();
         let old = object.outline.iter().map(|outline| &**outline);
         for (number, outline) in old.chain(new).enumerate() {
-            let tail = format!("{}/outline", part.path.1);
+            let tail = format!("{}/outline", part.path.inside);
             let mut part = ElementContext {
                 span: outline.span,
-                path: (part.path.0, &tail),
+                path: ElementPath::new(part.path.owner, &tail),
                 findings: part.findings,
             };
             all.extend(self::outline(outline, number, is_linear, &mut part));

@@ -1,6 +1,6 @@
 //! Objects as written, in numbers. They are placed when everything else is.
 
-use super::need::ElementContext;
+use super::need::{ElementContext, ElementPath};
 use crate::draft::Draft;
 use crate::draft::single;
 use crate::draft::{Object, Repeat};
@@ -59,7 +59,11 @@ impl Draft {
         let base = owner.path();
         for object in &objects.object {
             let tail = format!("object[@id={}]", object.id.text());
-            let mut part = ElementContext { span: object.span, path: (&base, &tail), findings };
+            let mut part = ElementContext {
+                span: object.span,
+                path: ElementPath::new(&base, &tail),
+                findings,
+            };
             let place = [("s", &object.s), ("t", &object.t)]
                 .map(|(name, at)| part.need_along(at.value(), name));
             let [Some(s), Some(t)] = place else { continue };
@@ -119,8 +123,11 @@ impl Draft {
                 self.objects.junction_lines.push((number, line));
             }
             None => {
-                let mut part =
-                    ElementContext { span: objects.span, path: (&path, "objects"), findings };
+                let mut part = ElementContext {
+                    span: objects.span,
+                    path: ElementPath::new(&path, "objects"),
+                    findings,
+                };
                 let message = "expected the element planView in a junction with objects, found none; the objects are left out";
                 left_out(&mut part, message.to_owned());
                 return;
@@ -185,11 +192,11 @@ impl Draft {
     fn repeats(&self, object: &xodr::Object, part: &mut ElementContext<'_>) -> Vec<Repeat> {
         let mut repeats = Vec::new();
         for repeat in &object.repeat {
-            let base = part.path.1;
+            let base = part.path.inside;
             let tail = format!("{base}/repeat");
             let mut part = ElementContext {
                 span: repeat.span,
-                path: (part.path.0, &tail),
+                path: ElementPath::new(part.path.owner, &tail),
                 findings: part.findings,
             };
             repeats.extend(super::object_repeats::repeat(object, repeat, &mut part));

@@ -1,6 +1,6 @@
 //! The reference line and the cubics along it.
 
-use super::need::{ElementContext, MOST_COEFFICIENT};
+use super::need::{ElementContext, ElementPath, MOST_COEFFICIENT};
 use crate::draft::{Draft, between};
 use mapd_archive::{CubicRow, GeometryRow, Range};
 use mapd_geometry::ParameterRange;
@@ -23,7 +23,8 @@ impl Draft {
         let before = self.rows.geometries.len();
         for (index, g) in plan_view.geometry.iter().enumerate() {
             let found = findings.len();
-            let mut part = ElementContext { span: g.span, path: (road, GEOMETRY), findings };
+            let mut part =
+                ElementContext { span: g.span, path: ElementPath::new(road, GEOMETRY), findings };
             match line.piece(index) {
                 Some(piece) => self.geometry(piece, g.param_poly3.is_some(), &mut part),
                 None => line.faults_of(index).for_each(|fault| say(fault, g.span, &mut part)),
@@ -80,7 +81,7 @@ impl Draft {
         &mut self,
         records: &[R],
         shift: f64,
-        path: (&str, &str),
+        path: ElementPath<'_>,
         findings: &mut Vec<Finding>,
     ) -> Range {
         let before = self.rows.cubics.len();

@@ -1,6 +1,6 @@
 //! Lane sections and lanes.
 
-use super::need::ElementContext;
+use super::need::{ElementContext, ElementPath};
 use super::speeds::speed;
 use super::surface::place;
 use crate::draft::{Draft, between};
@@ -99,7 +99,8 @@ fn lanes_of<'a>(
     findings: &mut Vec<Finding>,
 ) -> Vec<AnyLane<'a>> {
     let mut id = |span, id: &Option<xodr::Attribute<i32>>| {
-        ElementContext { span, path: (road, LANE), findings }.need_lane(id.value(), "id")
+        ElementContext { span, path: ElementPath::new(road, LANE), findings }
+            .need_lane(id.value(), "id")
     };
     let mut lanes = Vec::new();
     let sides = [section.left.as_deref(), section.right.as_deref()];
@@ -166,8 +167,11 @@ fn sides(
         // Of temporary lanes, what a section does not have is not there.
         if section.single_side.value() == Some(true) && !layer.is_temporary {
             let has = has(section);
-            let mut part =
-                ElementContext { span: section.span, path: (road, "lanes/laneSection"), findings };
+            let mut part = ElementContext {
+                span: section.span,
+                path: ElementPath::new(road, "lanes/laneSection"),
+                findings,
+            };
             if has[0] == has[1] {
                 let message = "expected lanes on one side of a section with singleSide, found them on both or none; read as a section for both".to_owned();
                 part.add(&building::SINGLE_SIDE, Severity::Warning, message);
@@ -207,7 +211,7 @@ impl Draft {
         let placed: Vec<(f64, &xodr::LaneSection)> = sections
             .iter()
             .filter_map(|section| {
-                let path = (path, "lanes/laneSection");
+                let path = ElementPath::new(path, "lanes/laneSection");
                 let mut part = ElementContext { span: section.span, path, findings };
                 Some((part.need_along(section.s.value(), "s")?, section))
             })
@@ -233,7 +237,7 @@ impl Draft {
                 } else {
                     // They end here, which the error says once.
                     lanes.clear();
-                    let path = (path, "lanes/laneSection");
+                    let path = ElementPath::new(path, "lanes/laneSection");
                     let mut part = ElementContext { span: section.span, path, findings };
                     let message = format!(
                         "expected at most {CONTINUED_LANES} lanes for each section that go on past sections with singleSide, found more"
@@ -272,7 +276,11 @@ impl Draft {
                 "expected a center lane with id 0, found none; the reference line stands in"
                     .to_owned();
             let tail = format!("lanes/laneSection[@s={s}]");
-            let mut part = ElementContext { span: stretch.span, path: (on.path, &tail), findings };
+            let mut part = ElementContext {
+                span: stretch.span,
+                path: ElementPath::new(on.path, &tail),
+                findings,
+            };
             part.add(&building::CENTER_LANE, Severity::Warning, message);
         }
         let section_row = self.rows.sections.len() as u32;
@@ -316,13 +324,18 @@ impl Draft {
         let widths = if lane.id == 0 {
             Range::default()
         } else if by_border {
-            let path = (road, "lanes/laneSection/lane/border");
+            let path = ElementPath::new(road, "lanes/laneSection/lane/border");
             self.cubics(lane.border, section_s, path, findings)
         } else {
-            self.cubics(lane.width, section_s, (road, "lanes/laneSection/lane/width"), findings)
+            self.cubics(
+                lane.width,
+                section_s,
+                ElementPath::new(road, "lanes/laneSection/lane/width"),
+                findings,
+            )
         };
         if widths.count as usize > MOST_OF_LANE {
-            let path = (road, "lanes/laneSection/lane");
+            let path = ElementPath::new(road, "lanes/laneSection/lane");
             let mut part = ElementContext { span: lane.span, path, findings };
             let found = widths.count;
             let message =
@@ -331,7 +344,7 @@ impl Draft {
         }
         let own = self.rows.lanes.len() as u32;
         for record in lane.speed {
-            let path = (road, "lanes/laneSection/lane/speed");
+            let path = ElementPath::new(road, "lanes/laneSection/lane/speed");
             let mut part = ElementContext { span: record.span, path, findings };
             let s = place(record.s_offset.value(), "sOffset", &mut part);
             let Some(s) = s else { continue };
@@ -373,7 +386,7 @@ impl Draft {
         let other = if side.layer.is_temporary { PERMANENT } else { TEMPORARY };
         let links = lane.link.into_iter().flat_map(|link| [&link.predecessor, &link.successor]);
         for link in links.flatten().filter(|link| link.layer.text() != other) {
-            let path = (road, "lanes/laneSection/lane/link");
+            let path = ElementPath::new(road, "lanes/laneSection/lane/link");
             place(link.id.value(), "id", &mut ElementContext { span: link.span, path, findings });
         }
         self.rows.lanes.push(LaneRow {

@@ -1,7 +1,7 @@
 //! Signals, controllers and groups as written.
 
 use super::semantics::{SemanticsEntry, meant};
-use super::{ElementContext, assumed_unit, lanes, orientation};
+use super::{ElementContext, ElementPath, assumed_unit, lanes, orientation};
 use crate::draft::{Draft, Position, SignalReference, WrittenSignal, between};
 use mapd_archive::{
     AnnotationOwner, BoardGroupRow, Class, ControlRow, ControllerRow, DisplayAreaRow, LaneRangeRow,
@@ -94,8 +94,11 @@ impl Draft {
     ) {
         let Some(signals) = road.signals.as_deref() else { return };
         for signal in &signals.signal {
-            let mut part =
-                ElementContext { span: signal.span, path: (path, "signals/signal"), findings };
+            let mut part = ElementContext {
+                span: signal.span,
+                path: ElementPath::new(path, "signals/signal"),
+                findings,
+            };
             let (s, t) =
                 (part.need_along(signal.s.value(), "s"), part.need_along(signal.t.value(), "t"));
             let (Some(s), Some(t)) = (s, t) else { continue };
@@ -106,7 +109,7 @@ impl Draft {
             self.boards(&common!(signal), boards, DEEPEST_BOARD, &mut part);
         }
         for reference in &signals.signal_reference {
-            let path = (path, "signals/signalReference");
+            let path = ElementPath::new(path, "signals/signalReference");
             let mut part = ElementContext { span: reference.span, path, findings };
             let (s, t) = (
                 part.need_along(reference.s.value(), "s"),

@@ -1,6 +1,6 @@
 //! Bridges, tunnels and references to objects as written.
 
-use super::need::ElementContext;
+use super::need::{ElementContext, ElementPath};
 use super::objects::{lanes, orientation};
 use crate::draft::Draft;
 use crate::draft::single;
@@ -22,7 +22,7 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         for reference in references {
-            let path = (base, "objectReference");
+            let path = ElementPath::new(base, "objectReference");
             let mut part = ElementContext { span: reference.span, path, findings };
             let place = [("s", &reference.s), ("t", &reference.t)]
                 .map(|(name, at)| part.need_along(at.value(), name));
@@ -55,7 +55,11 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         for bridge in &objects.bridge {
-            let part = ElementContext { span: bridge.span, path: (base, "bridge"), findings };
+            let part = ElementContext {
+                span: bridge.span,
+                path: ElementPath::new(base, "bridge"),
+                findings,
+            };
             let place = (&bridge.s, &bridge.length);
             let Some(mut row) = structure(road, place, position(bridge.span), part) else {
                 continue;
@@ -68,7 +72,11 @@ impl Draft {
             self.objects.structures.push(Structure { row, validities });
         }
         for tunnel in &objects.tunnel {
-            let part = ElementContext { span: tunnel.span, path: (base, "tunnel"), findings };
+            let part = ElementContext {
+                span: tunnel.span,
+                path: ElementPath::new(base, "tunnel"),
+                findings,
+            };
             let place = (&tunnel.s, &tunnel.length);
             let Some(mut row) = structure(road, place, position(tunnel.span), part) else {
                 continue;

@@ -1,6 +1,6 @@
 //! What lies above or below the plane of elevation and superelevation, and what lanes are made of.
 
-use super::need::ElementContext;
+use super::need::{ElementContext, ElementPath};
 use crate::draft::{Draft, between};
 use mapd_archive::{
     CubicRow, LaneHeightRow, LaneMaterialRow, Range, ShapeStationRow, SurfaceRow, SurfaceStripRow,
@@ -24,7 +24,11 @@ impl Draft {
         findings: &mut Vec<Finding>,
     ) {
         for crg in road.surface.iter().flat_map(|surface| &surface.crg) {
-            let mut part = ElementContext { span: crg.span, path: (path, "surface/CRG"), findings };
+            let mut part = ElementContext {
+                span: crg.span,
+                path: ElementPath::new(path, "surface/CRG"),
+                findings,
+            };
             let message = format!(
                 "the OpenCRG file {:?} is not built into the map: surface heights of this road lack it",
                 crg.file.text()
@@ -42,7 +46,7 @@ impl Draft {
                 side == keep || side == CrossfallSide::Both
             };
             let records: Vec<Crossfall> = profile.crossfall.iter().filter(side).cloned().collect();
-            self.cubics(&records, 0.0, (path, "lateralProfile/crossfall"), findings)
+            self.cubics(&records, 0.0, ElementPath::new(path, "lateralProfile/crossfall"), findings)
         };
         let crossfall_left = crossfall(CrossfallSide::Left);
         let crossfall_right = crossfall(CrossfallSide::Right);
@@ -69,7 +73,7 @@ impl Draft {
         for record in records {
             let mut part = ElementContext {
                 span: record.span,
-                path: (path, "lateralProfile/shape"),
+                path: ElementPath::new(path, "lateralProfile/shape"),
                 findings,
             };
             let written = [
@@ -102,7 +106,8 @@ impl Draft {
         let before = self.rows.surface_strips.len();
         for strip in strips {
             let tail = "lateralProfile/crossSectionSurface/surfaceStrips/strip";
-            let mut part = ElementContext { span: strip.span, path: (path, tail), findings };
+            let mut part =
+                ElementContext { span: strip.span, path: ElementPath::new(path, tail), findings };
             let Some(id) = part.need(strip.id.value(), "id") else { continue };
             macro_rules! over_s {
                 ($name:ident) => {
@@ -145,7 +150,7 @@ impl Draft {
     ) {
         let lane = self.rows.lanes.len() as u32;
         for record in heights {
-            let path = (road, "lanes/laneSection/lane/height");
+            let path = ElementPath::new(road, "lanes/laneSection/lane/height");
             let mut part = ElementContext { span: record.span, path, findings };
             let Some(s) = place(record.s_offset.value(), "sOffset", &mut part) else { continue };
             self.rows.lane_heights.push(LaneHeightRow {
@@ -157,7 +162,7 @@ impl Draft {
             });
         }
         for record in materials {
-            let path = (road, "lanes/laneSection/lane/material");
+            let path = ElementPath::new(road, "lanes/laneSection/lane/material");
             let mut part = ElementContext { span: record.span, path, findings };
             let Some(s) = place(record.s_offset.value(), "sOffset", &mut part) else { continue };
             let number = |value: Option<f64>| value.filter(|n| *n >= 0.0).unwrap_or(NOT_GIVEN);

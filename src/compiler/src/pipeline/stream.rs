@@ -4,7 +4,7 @@
 //! read, check and lower them. Items and findings are the same, in the same order, as those of a reader without any of this.
 
 use super::part::{Lowered, Plan};
-use mapd_xodr::{Context, Cutter, Delivered, Item, ReadBatch, Reader};
+use mapd_xodr::{Context, Cutter, Delivered, Item, ReadBatch, Reader, RestOfDocument};
 use std::collections::VecDeque;
 use std::io;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, sync_channel};
@@ -25,8 +25,12 @@ pub(crate) enum Next {
     Lowered,
 }
 
-/// A batch that was read; with what it was lowered to, if it was.
-type Made = (ReadBatch, Option<Box<Lowered>>);
+/// A batch that was read.
+struct FinishedBatch {
+    read: ReadBatch,
+    /// What it was lowered to, if it was.
+    lowered: Option<Box<Lowered>>,
+}
 
 /// Top-level elements, one after the other.
 pub(crate) struct Stream<'a> {
@@ -40,7 +44,7 @@ pub(crate) struct Stream<'a> {
 struct Ahead<'a> {
     context: Context,
     cutter: Cutter<'a>,
-    reading: VecDeque<Receiver<Made>>,
+    reading: VecDeque<Receiver<FinishedBatch>>,
     /// Whether no more batches come.
     is_cut: bool,
 }
@@ -64,12 +68,12 @@ impl<'a> Stream<'a> {
                 // The version is settled now; what comes is roads.
                 if self.is_parallel && matches!(item, Some(Item::Header(_))) {
                     let bytes = self.batch_bytes;
-                    self.ahead = self.reader.split().map(|split| Ahead::new(split, bytes));
+                    self.ahead = self.reader.split().map(|rest| Ahead::new(rest, bytes));
                 }
                 return Ok(item.map(Next::Item));
             };
             match ahead.next(plan)? {
-                Some((read, lowered)) => match self.reader.accept(read) {
+                Some(FinishedBatch { read, lowered }) => match self.reader.accept(read) {
                     Ok(room) => {
                         ahead.cutter.give_back(room);
                         if let Some(lowered) = lowered {
@@ -89,7 +93,7 @@ impl<'a> Stream<'a> {
         self.is_parallel = false;
         let mut batches: Vec<_> = batch.into_iter().collect();
         while let Some(reading) = ahead.reading.pop_front() {
-            batches.push(wait(&reading)?.0.into_batch());
+            batches.push(wait(&reading)?.read.into_batch());
         }
         self.reader.go_on(batches, ahead.cutter);
         Ok(())
@@ -97,7 +101,10 @@ impl<'a> Stream<'a> {
 }
 
 impl<'a> Ahead<'a> {
-    fn new((context, cutter): (Context, Cutter<'a>), batch_bytes: Option<usize>) -> Self {
+    fn new(
+        RestOfDocument { context, cutter }: RestOfDocument<'a>,
+        batch_bytes: Option<usize>,
+    ) -> Self {
         let cutter = match batch_bytes {
             Some(bytes) => cutter.with_batch_bytes(bytes),
             None => cutter,
@@ -106,7 +113,7 @@ impl<'a> Ahead<'a> {
     }
 
     /// The next batch; none behind the last.
-    fn next(&mut self, plan: &dyn Fn() -> Option<Plan>) -> io::Result<Option<Made>> {
+    fn next(&mut self, plan: &dyn Fn() -> Option<Plan>) -> io::Result<Option<FinishedBatch>> {
         while !self.is_cut && self.reading.len() < rayon::current_num_threads() + AHEAD {
             let Some(batch) = self.cutter.next() else {
                 self.is_cut = true;
@@ -115,15 +122,15 @@ impl<'a> Ahead<'a> {
             let (done, reading) = sync_channel(1);
             let (context, plan) = (self.context.clone(), plan());
             rayon::spawn_fifo(move || {
-                let made = match plan {
+                let finished = match plan {
                     Some(plan) => {
                         let (read, lowered) = plan.read(&context, batch);
-                        (read, Some(Box::new(lowered)))
+                        FinishedBatch { read, lowered: Some(Box::new(lowered)) }
                     }
-                    None => (context.read(batch), None),
+                    None => FinishedBatch { read: context.read(batch), lowered: None },
                 };
                 // Nobody waits for it where reading has failed.
-                let _ = done.send(made);
+                let _ = done.send(finished);
             });
             self.reading.push_back(reading);
         }
@@ -132,7 +139,7 @@ impl<'a> Ahead<'a> {
 }
 
 /// Waits for a batch; a thread of the pool does other work meanwhile, which may be reading that batch.
-fn wait(reading: &Receiver<Made>) -> io::Result<Made> {
+fn wait(reading: &Receiver<FinishedBatch>) -> io::Result<FinishedBatch> {
     let lost = || io::Error::other("a thread that read the document ended early");
     if rayon::current_thread_index().is_none() {
         return reading.recv().map_err(|_| lost());

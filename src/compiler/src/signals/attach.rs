@@ -9,8 +9,19 @@ use mapd_query::{Lane, Map, Road};
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 
-/// Lanes of a place: row of the lane and its distance `[m]`.
-type Found = (LaneMethod, Vec<(u32, f64)>);
+/// The lanes that a signal's place is for.
+struct SignalLanes {
+    /// What they are chosen by.
+    method: LaneMethod,
+    lanes: Vec<LaneBeside>,
+}
+
+/// A lane and how far it is from a place.
+struct LaneBeside {
+    row: u32,
+    /// From the place to the lane's nearer edge `[m]`; 0 inside.
+    distance: f64,
+}
 
 impl PlaceWritten {
     /// Whether a validity limits it to lane 0 alone, which is nobody's lane: to none of the road's. Exporters write it where
@@ -23,7 +34,7 @@ impl PlaceWritten {
 /// Fills the signals' places, their lanes and the lanes' signals.
 pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Finding> {
     let mut findings = Vec::new();
-    let found: Vec<Option<Found>> = {
+    let found: Vec<Option<SignalLanes>> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let roads: Vec<Road<'_>> = map.roads().collect();
@@ -40,12 +51,15 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Fi
         let number = rows.signal_places.len() as u32;
         let before = rows.signal_lanes.len();
         match found {
-            Some((method, lanes)) => {
-                for (lane, distance) in lanes {
-                    let (distance, method) = (distance as f32, method.code());
-                    let row =
-                        SignalLaneRow { place: number, lane, distance, method, reserved: [0; 3] };
-                    rows.signal_lanes.push(row);
+            Some(SignalLanes { method, lanes }) => {
+                for LaneBeside { row, distance } in lanes {
+                    rows.signal_lanes.push(SignalLaneRow {
+                        place: number,
+                        lane: row,
+                        distance: distance as f32,
+                        method: method.code(),
+                        reserved: [0; 3],
+                    });
                 }
             }
             // For none of this road's lanes, as it says; its references name others.
@@ -88,7 +102,7 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Fi
 /// By validity; without any, all lanes that travel the way the signal is for (OpenDRIVE 1.8.1, 14.2); if there are none, the
 /// lane that it stands on; else the nearest within `reach` `[m]` that travels that way. A validity of lane 0 alone names no lane: with
 /// references to the signal that is all, without any its orientation is the only thing to go by, and the answer says so.
-fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<Found> {
+fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<SignalLanes> {
     let s = clamp(place.s, 0.0, road.length());
     let section = road.section_at(s)?;
     let far = |lane: &Lane<'_>| {
@@ -96,7 +110,7 @@ fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<Found> 
         let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
         (low - place.t).max(place.t - high).max(0.0)
     };
-    let row = |lane: Lane<'_>| (lane.lane_id().row(), far(&lane));
+    let beside = |lane: Lane<'_>| LaneBeside { row: lane.lane_id().row(), distance: far(&lane) };
     let lanes = || section.lanes().filter(|lane| lane.number() != 0);
     let orientation = Orientation::from_code(place.orientation);
     let fits = |lane: &Lane<'_>| lane.is_bidirectional() || orientation.is_for(lane.is_forward());
@@ -109,27 +123,27 @@ fn lanes_of(road: &Road<'_>, place: &PlaceWritten, reach: f64) -> Option<Found> 
         return None;
     }
     if !is_guess && !place.validity.is_empty() {
-        let both: Vec<_> = lanes().filter(named).filter(fits).map(row).collect();
+        let both: Vec<_> = lanes().filter(named).filter(fits).map(beside).collect();
         let named: Vec<_> =
-            if both.is_empty() { lanes().filter(named).map(row).collect() } else { both };
+            if both.is_empty() { lanes().filter(named).map(beside).collect() } else { both };
         if !named.is_empty() {
-            return Some((LaneMethod::Validity, named));
+            return Some(SignalLanes { method: LaneMethod::Validity, lanes: named });
         }
     } else {
         let drivable = |lane: &Lane<'_>| lane.kind().is_drivable() && lane.width_at(s) > 0.0;
-        let all: Vec<_> = lanes().filter(fits).filter(drivable).map(row).collect();
+        let all: Vec<_> = lanes().filter(fits).filter(drivable).map(beside).collect();
         if !all.is_empty() {
             let method =
                 if is_guess { LaneMethod::OrientationGuess } else { LaneMethod::Orientation };
-            return Some((method, all));
+            return Some(SignalLanes { method, lanes: all });
         }
     }
     let on = section.lane_at(s, place.t).filter(fits);
     if let Some(lane) = on {
-        return Some((LaneMethod::Track, vec![row(lane)]));
+        return Some(SignalLanes { method: LaneMethod::Track, lanes: vec![beside(lane)] });
     }
-    let nearest = lanes().filter(fits).filter(|lane| lane.width_at(s) > 0.0).map(row);
-    let nearest = nearest.filter(|(_, distance)| *distance <= reach);
-    let nearest = nearest.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some((LaneMethod::Nearest, vec![nearest]))
+    let nearest = lanes().filter(fits).filter(|lane| lane.width_at(s) > 0.0).map(beside);
+    let nearest = nearest.filter(|lane| lane.distance <= reach);
+    let nearest = nearest.min_by(|a, b| a.distance.total_cmp(&b.distance))?;
+    Some(SignalLanes { method: LaneMethod::Nearest, lanes: vec![nearest] })
 }

@@ -22,7 +22,7 @@ pub(crate) use frame::FrameArgs;
 pub(crate) use judging::JudgingArgs;
 pub(crate) use number::{Seconds, finite, not_negative};
 pub(crate) use ontology::OntologyArgs;
-pub(crate) use opening::{AttachArgs, Live, Opening};
+pub(crate) use opening::{AttachArgs, Live, OpenedSource, Opening};
 pub(crate) use progress::ProgressArgs;
 pub(crate) use share::ShareWith;
 pub(crate) use size::Size;

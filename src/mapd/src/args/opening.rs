@@ -12,8 +12,20 @@ use mapd_compiler::Compilation;
 use std::path::Path;
 use std::time::Duration;
 
-/// A map, and of an OpenDRIVE file what was found in it.
-type Found = (Snapshot, Option<Box<Compilation>>);
+/// An opened SOURCE.
+pub(crate) struct OpenedSource {
+    /// The map.
+    pub(crate) snapshot: Snapshot,
+    /// What compiling it has found; none of an archive or a live map.
+    pub(crate) compilation: Option<Box<Compilation>>,
+}
+
+impl OpenedSource {
+    /// A map that was not compiled just now.
+    pub(crate) fn compiled_before(snapshot: Snapshot) -> Self {
+        Self { snapshot, compilation: None }
+    }
+}
 
 /// How a SOURCE is opened.
 #[derive(Args)]
@@ -75,13 +87,17 @@ impl Opening {
     /// Errors: files that cannot be read, archives that this release cannot read, no such live map; options that do not go
     /// with the source.
     pub(crate) fn open(&self, source: &str) -> Result<Option<Snapshot>> {
-        Ok(self.open_with_findings(source, Manner::Bar)?.map(|(snapshot, _)| snapshot))
+        Ok(self.open_with_findings(source, Manner::Bar)?.map(|opened| opened.snapshot))
     }
 
     /// As [`Opening::open`], of an OpenDRIVE file also what was found in it; says how far compiling is.
     ///
     /// Errors: as [`Opening::open`].
-    pub(crate) fn open_with_findings(&self, source: &str, manner: Manner) -> Result<Option<Found>> {
+    pub(crate) fn open_with_findings(
+        &self,
+        source: &str,
+        manner: Manner,
+    ) -> Result<Option<OpenedSource>> {
         let (domain, wait) = self.live.get()?;
         let reading = self.ontology.for_source(source::is_compiled(source))?;
         let options = self.frame.source(source)?;
@@ -136,13 +152,14 @@ fn open_or_report(
     key: Option<TrustedKey>,
     live: Attaching<'_>,
     manner: Manner,
-) -> Result<Option<Found>> {
+) -> Result<Option<OpenedSource>> {
     if let Some(key) = key {
         if source.starts_with(SHARED) {
             return Err(NotSignable::Live { name: source.to_owned() }.into());
         }
         signable(Path::new(source))?;
-        return Ok(Some((Snapshot::open_trusted(source, &key)?, None)));
+        let snapshot = Snapshot::open_trusted(source, &key)?;
+        return Ok(Some(OpenedSource::compiled_before(snapshot)));
     }
     if !source::is_compiled(source) {
         ThreadsArg::default().start(None)?;
@@ -151,7 +168,7 @@ fn open_or_report(
     let opened = source::open(source, compiling, live, &mut |p| bar.show(p))?;
     bar.finish();
     Ok(match opened {
-        Opened::Map(snapshot, compiled) => Some((snapshot, compiled)),
+        Opened::Map(snapshot, compilation) => Some(OpenedSource { snapshot, compilation }),
         Opened::Rejected(compiled) => {
             report::print(source, &compiled);
             None

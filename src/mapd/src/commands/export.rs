@@ -1,6 +1,6 @@
 //! `mapd export`: a map drawn or converted, by `mapd-export`.
 
-use crate::args::{Opening, ProgressArgs};
+use crate::args::{OpenedSource, Opening, ProgressArgs};
 use crate::draft;
 use crate::exit::{Exit, UsageError};
 use crate::findings;
@@ -63,13 +63,15 @@ impl ExportCommand {
         }
         let manner = self.progress.manner();
         let opened = self.opening.open_with_findings(&self.source, manner)?;
-        let Some((snapshot, compiled)) = opened else { return Ok(Exit::Rejected) };
+        let Some(OpenedSource { snapshot, compilation }) = opened else {
+            return Ok(Exit::Rejected);
+        };
         if self.format == Format::Lanelet2 {
             say_without_overlay(&snapshot, "mapd");
         }
         let title = title(&self.source);
         let findings = match self.format {
-            Format::Html => findings::of(&snapshot, compiled.as_deref()),
+            Format::Html => findings::of(&snapshot, compilation.as_deref()),
             _ => Findings::UNKNOWN,
         };
         let Self { index_boxes, route, layers, origin, autoware, .. } = self;

@@ -2,7 +2,7 @@
 
 use super::child::Refusal;
 use super::log::say;
-use super::maps::{Kept, Maps, UNASKED_RELOADS};
+use super::maps::{Kept, Maps, Staged, UNASKED_RELOADS};
 use super::orders::{Change, Job};
 use super::prepare::Prepared;
 use super::watch::watch_more;
@@ -12,8 +12,20 @@ use crate::control::{ReloadReport, ReloadResult, Response, Trigger};
 use crate::oversight::proof::{Proof, prove};
 use crate::serve::ServeError;
 
-/// How a change ended: result, generation, reason.
-type Outcome = (ReloadResult, Option<u64>, String);
+/// How a change ended.
+struct Outcome {
+    result: ReloadResult,
+    /// The generation that is served or staged now; none where it failed.
+    generation: Option<u64>,
+    /// Why, or what there is to know; may be empty.
+    reason: String,
+}
+
+impl Outcome {
+    fn failed(reason: impl ToString) -> Self {
+        Self { result: ReloadResult::Failed, generation: None, reason: reason.to_string() }
+    }
+}
 
 impl Maps {
     /// Begins a change; ends it, if nothing has to be compiled.
@@ -78,8 +90,7 @@ impl Maps {
             Ok(prepared) => prepared,
             Err(refusal) => {
                 watch_more(&self.watched, &change.map, &refusal);
-                return self
-                    .ended(&change, (ReloadResult::Failed, None, refusal.reason().to_owned()));
+                return self.ended(&change, Outcome::failed(refusal.reason()));
             }
         };
         self.follow_includes(&change.map, &prepared);
@@ -90,7 +101,9 @@ impl Maps {
                 ),
                 None => "the file yields the archive that is served".to_owned(),
             };
-            return self.ended(&change, (ReloadResult::Unchanged, Some(generation), reason));
+            let result = ReloadResult::Unchanged;
+            let outcome = Outcome { result, generation: Some(generation), reason };
+            return self.ended(&change, outcome);
         }
         match self.fill(&change.map, &prepared, change.stage) {
             Err(ServeError::Fill { .. }) if prepared.from_cache => {
@@ -106,7 +119,8 @@ impl Maps {
                 let generation = status.generation;
                 let kept = Kept { archive: prepared, status };
                 let result = self.take(&change, kept, false);
-                self.ended(&change, (result, Some(generation), String::new()));
+                let reason = String::new();
+                self.ended(&change, Outcome { result, generation: Some(generation), reason });
             }
         }
     }
@@ -120,7 +134,7 @@ impl Maps {
         }
         self.board.map(&change.map, |state| state.staged = Some(kept.status.clone()));
         if let Some(entry) = self.entries.get_mut(&change.map) {
-            entry.staged = Some((kept, back));
+            entry.staged = Some(Staged { kept, is_back: back });
         }
         ReloadResult::Staged
     }
@@ -128,7 +142,7 @@ impl Maps {
     fn refused(&mut self, change: &Change, error: &ServeError) {
         // What was staged has been given up for it.
         self.forget_staged(&change.map);
-        self.ended(change, (ReloadResult::Failed, None, error.to_string()));
+        self.ended(change, Outcome::failed(error));
     }
 
     /// Gives up what is staged: the file does not hold it any more. Its generation.
@@ -136,7 +150,7 @@ impl Maps {
         let staged = self.entries.get_mut(map)?.staged.take()?;
         self.server.give_up_staged(map);
         self.forget_staged(map);
-        Some(staged.0.status.generation)
+        Some(staged.kept.status.generation)
     }
 
     fn is_staged(&self, map: &str) -> bool {
@@ -186,7 +200,8 @@ impl Maps {
                     let kept = Kept { archive: back.archive, status };
                     let result = self.take(change, kept, true);
                     lost.insert(0, format!("what generation {before} was"));
-                    return (result, Some(generation), lost.join("; "));
+                    let (generation, reason) = (Some(generation), lost.join("; "));
+                    return Outcome { result, generation, reason };
                 }
                 Err(error @ ServeError::Fill { .. }) => {
                     // Its file has been written over: it can never be gone back to.
@@ -195,13 +210,13 @@ impl Maps {
                 }
                 Err(error) => {
                     self.forget_staged(&change.map);
-                    return (ReloadResult::Failed, None, error.to_string());
+                    return Outcome::failed(error);
                 }
             }
         }
         self.forget_staged(&change.map);
         lost.insert(0, self.nothing_to_go_back_to(&change.map).to_owned());
-        (ReloadResult::Failed, None, lost.join("; "))
+        Outcome::failed(lost.join("; "))
     }
 
     fn has_before(&self, map: &str) -> bool {
@@ -230,24 +245,25 @@ impl Maps {
 
     fn activate(&mut self, map: &str) -> Outcome {
         let staged = self.entries.get(map).and_then(|entry| entry.staged.as_ref());
-        let Some(archive) = staged.map(|(kept, _)| kept.archive.clone()) else {
-            return (ReloadResult::Failed, None, "nothing is staged".to_owned());
+        let Some(archive) = staged.map(|staged| staged.kept.archive.clone()) else {
+            return Outcome::failed("nothing is staged");
         };
         let activated = self.activate_staged(map, &archive);
         let generation = match activated {
             Ok(generation) => generation,
             Err(error) => {
                 self.forget_staged(map);
-                return (ReloadResult::Failed, None, error.to_string());
+                return Outcome::failed(error);
             }
         };
         let staged = self.entries.get_mut(map).and_then(|entry| entry.staged.take());
-        if let Some((mut kept, back)) = staged {
+        if let Some(Staged { mut kept, is_back }) = staged {
             kept.status.published_unix_ns = unix_ns();
-            self.now_served(map, kept, back);
+            self.now_served(map, kept, is_back);
             self.look();
         }
-        (ReloadResult::Published, Some(generation), String::new())
+        let (result, reason) = (ReloadResult::Published, String::new());
+        Outcome { result, generation: Some(generation), reason }
     }
 
     /// Files that the document includes since it was read again are watched as well.
@@ -262,7 +278,7 @@ impl Maps {
     }
 
     /// Says how a change ended: to the log, to the board, to who asked.
-    fn ended(&mut self, change: &Change, (result, generation, reason): Outcome) {
+    fn ended(&mut self, change: &Change, Outcome { result, generation, reason }: Outcome) {
         let seconds = change.begun.elapsed().as_secs_f64();
         let (trigger, at_unix_ns) = (change.trigger, unix_ns());
         let report = ReloadReport { trigger, result, generation, reason, at_unix_ns, seconds };

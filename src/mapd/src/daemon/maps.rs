@@ -32,11 +32,17 @@ pub(super) struct Kept {
     pub(super) status: GenerationStatus,
 }
 
+/// What waits to be activated.
+pub(super) struct Staged {
+    pub(super) kept: Kept,
+    /// Whether it was served before.
+    pub(super) is_back: bool,
+}
+
 /// A map.
 pub(super) struct MapEntry {
     pub(super) served: Option<Kept>,
-    /// What waits to be activated, and whether it goes back.
-    pub(super) staged: Option<(Kept, bool)>,
+    pub(super) staged: Option<Staged>,
     /// Reloads that have been begun and have not ended.
     pub(super) reloads: usize,
     /// What was served before, the newest last.

@@ -30,7 +30,7 @@ pub(crate) use bound::Bounds;
 pub use cost::{CostBound, RouteCost, ShortestLength, ShortestTime, WithFactors, WithTurns};
 pub(crate) use ends::share_before;
 pub use reach::{Reach, ReachLink, Reached};
-pub(crate) use reach::{network, reach};
+pub(crate) use reach::{WithinCost, network, reach};
 pub use request::{RouteEnd, RouteError, RouteRequest};
 pub use scratch::RouteScratch;
 pub use sequences::{LaneSequences, NextJunction};

@@ -132,7 +132,7 @@ impl<'a> Map<'a> {
         scratch: &mut RouteScratch,
         out: &mut Reach,
     ) -> Result<(), RouteError> {
-        network(*self, request, (limit, true), scratch, out)
+        network(*self, request, WithinCost { limit, ahead: true }, scratch, out)
     }
 
     /// What a request's goals can be reached from within a cost, with the ways back: the network of lanes that lead there. Its starts
@@ -146,8 +146,16 @@ impl<'a> Map<'a> {
         scratch: &mut RouteScratch,
         out: &mut Reach,
     ) -> Result<(), RouteError> {
-        network(*self, request, (limit, false), scratch, out)
+        network(*self, request, WithinCost { limit, ahead: false }, scratch, out)
     }
+}
+
+/// How far a [`network`] of lanes goes.
+pub(crate) struct WithinCost {
+    /// Largest cost.
+    pub(crate) limit: f64,
+    /// From the starts on; else back from the goals.
+    pub(crate) ahead: bool,
 }
 
 /// As [`Map::reach`] or [`Map::reach_to`], on a map or under an overlay.
@@ -156,7 +164,7 @@ impl<'a> Map<'a> {
 pub(crate) fn network<'a>(
     ways: impl Ways<'a>,
     request: &RouteRequest<'_, impl RouteCost>,
-    (limit, ahead): (f64, bool),
+    WithinCost { limit, ahead }: WithinCost,
     scratch: &mut RouteScratch,
     out: &mut Reach,
 ) -> Result<(), RouteError> {

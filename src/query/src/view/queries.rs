@@ -8,7 +8,7 @@ use crate::ids::{LaneId, SignalId};
 use crate::lane::Lane;
 use crate::route::{
     AlternativeOptions, PositionOnLane, Reach, Reached, Route, RouteCost, RouteError, RouteRequest,
-    RouteScratch, RouteStep, Routes, alternatives, find, find_via, network, reach,
+    RouteScratch, RouteStep, Routes, WithinCost, alternatives, find, find_via, network, reach,
 };
 use crate::rules::{OvertakingRule, SpeedRule};
 use mapd_archive::{ArchivedPieceRow, Overlay, OverlayKind, VehicleClass};
@@ -373,7 +373,13 @@ impl<'a> View<'a> {
         if self.overlay.is_none() {
             return self.map.reach(request, limit, scratch, out);
         }
-        network(OverlaidGraph::new(*self, request.vehicle), request, (limit, true), scratch, out)
+        network(
+            OverlaidGraph::new(*self, request.vehicle),
+            request,
+            WithinCost { limit, ahead: true },
+            scratch,
+            out,
+        )
     }
 
     /// As [`crate::Map::reach_to`], with the overlay's current entries applied; pieces as in [`View::reachable`].
@@ -389,7 +395,13 @@ impl<'a> View<'a> {
         if self.overlay.is_none() {
             return self.map.reach_to(request, limit, scratch, out);
         }
-        network(OverlaidGraph::new(*self, request.vehicle), request, (limit, false), scratch, out)
+        network(
+            OverlaidGraph::new(*self, request.vehicle),
+            request,
+            WithinCost { limit, ahead: false },
+            scratch,
+            out,
+        )
     }
 
     /// What holds now along a route or any list of steps, in its order: each entry once for each stretch on which it holds that a step drives over.

@@ -7,9 +7,9 @@ use mapd_query::{Lane, Map, Road};
 use serde::Serialize;
 use std::collections::HashMap;
 
-/// A finding, as who compiles has it.
+/// A finding as the compiler reports it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Found<'a> {
+pub struct ReportedFinding<'a> {
     /// `error`, `warning` or `info`.
     pub severity: &'static str,
     /// Id of the rule.
@@ -63,7 +63,7 @@ impl Findings {
     /// Those of a map's file, and how many there are besides.
     pub fn of<'a>(
         map: Map<'_>,
-        found: impl IntoIterator<Item = Found<'a>>,
+        found: impl IntoIterator<Item = ReportedFinding<'a>>,
         not_kept: usize,
     ) -> Self {
         let mut left_out = HashMap::new();
@@ -75,7 +75,7 @@ impl Findings {
             };
             left_out.entry((at.line, at.column, part.rule().to_owned())).or_insert(words);
         }
-        let finding = |one: Found<'a>| Finding {
+        let finding = |one: ReportedFinding<'a>| Finding {
             severity: one.severity,
             rule: one.rule,
             message: one.message,

@@ -1,7 +1,7 @@
 //! Lanes: areas, borders, reference lines, marks, directions.
 
 use super::{place, sections};
-use crate::drawing::{Drawing, Pen};
+use crate::drawing::{Drawing, EdgePoint, Fill, Pen};
 use crate::paint::Paint;
 use crate::strokes::MarkStroke;
 use mapd_query::glam::DVec2;
@@ -32,8 +32,9 @@ pub(super) fn areas(map: Map<'_>, drawing: &mut Drawing) {
 pub(crate) fn area(lane: &Lane<'_>, paint: Paint, level: i64, drawing: &mut Drawing) {
     let (left, right) = (lane.left_bound_of_reference_line(), lane.right_bound_of_reference_line());
     if left.len() > 1 && right.len() > 1 {
-        let pair = |at: LinePoint| (at.s, at.position);
-        drawing.strip(left.points().map(pair), right.points().map(pair), (paint as u8, level));
+        let point = |at: LinePoint| EdgePoint { s: at.s, position: at.position };
+        let fill = Fill { paint: paint as u8, level };
+        drawing.strip(left.points().map(point), right.points().map(point), fill);
     }
 }
 

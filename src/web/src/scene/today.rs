@@ -2,7 +2,7 @@
 
 use super::place;
 use super::things::{in_tiles, level_of};
-use crate::drawing::{Drawing, Pen};
+use crate::drawing::{Drawing, EdgePoint, Fill, Pen};
 use crate::paint::Paint;
 use mapd_query::glam::DVec3;
 use mapd_query::view::View;
@@ -27,10 +27,12 @@ pub(super) fn stretches(view: View<'_>, drawing: &mut Drawing) {
             Some((s, lane.edge_points_at(s)?))
         };
         let cuts: Vec<(f64, [DVec3; 2])> = (0..=count).filter_map(corners).collect();
-        let inner = || cuts.iter().map(|(s, [inner, _])| (*s, *inner));
-        let outer = || cuts.iter().map(|(s, [_, outer])| (*s, *outer));
-        drawing.strip(inner(), outer(), (paint, level));
-        let around: Vec<DVec3> = inner().chain(outer().rev()).map(|(_, point)| point).collect();
+        let edge = |side: usize| {
+            cuts.iter().map(move |(s, points)| EdgePoint { s: *s, position: points[side] })
+        };
+        let (inner, outer) = (|| edge(0), || edge(1));
+        drawing.strip(inner(), outer(), Fill { paint, level });
+        let around: Vec<DVec3> = inner().chain(outer().rev()).map(|point| point.position).collect();
         drawing.ring(&around, &Pen { paint, level, ..Pen::default() });
     }
 }

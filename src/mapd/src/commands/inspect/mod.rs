@@ -8,7 +8,7 @@ mod objects;
 mod page;
 mod signals;
 
-use crate::args::Opening;
+use crate::args::{OpenedSource, Opening};
 use crate::exit::Exit;
 use crate::progress::Manner;
 use anyhow::Result;
@@ -38,7 +38,7 @@ impl InspectCommand {
     ///
     /// Errors: the source cannot be opened; the archive does not prove.
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
-        let Some((snapshot, compiled)) =
+        let Some(OpenedSource { snapshot, compilation }) =
             self.opening.open_with_findings(&self.source, Manner::Bar)?
         else {
             return Ok(Exit::Rejected);
@@ -46,7 +46,7 @@ impl InspectCommand {
         if self.verify {
             snapshot.verify()?;
         }
-        let facts = facts::inspect(&self.source, &snapshot, compiled.as_deref(), self.verify);
+        let facts = facts::inspect(&self.source, &snapshot, compilation.as_deref(), self.verify);
         if self.json {
             serde_json::to_writer_pretty(&mut *out, &facts)?;
             writeln!(out)?;

@@ -27,10 +27,19 @@ struct Followed<'a> {
 }
 
 /// A file and its signature: one that comes after its file is a change as well.
-type Version = (Identity, Option<Identity>);
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct FileVersion {
+    file: Identity,
+    signature: Option<Identity>,
+}
 
-/// A state that a file was applied in, and the generation that it was matched with.
-type Applied = (Version, Option<u64>);
+/// What a file was applied as.
+#[derive(PartialEq, Eq)]
+struct Applied {
+    version: FileVersion,
+    /// The generation that it was matched with.
+    generation: Option<u64>,
+}
 
 /// Applies what is followed whenever it changes, or the map does. Ends only with the process.
 ///
@@ -61,7 +70,7 @@ pub(super) fn follow(
         let mut failed = None;
         if now == last {
             for (file, version) in &now {
-                let state = (*version, served);
+                let state = Applied { version: *version, generation: served };
                 if done.get(file) == Some(&state) {
                     continue;
                 }
@@ -109,7 +118,7 @@ pub(super) fn follow(
 
 impl Followed<'_> {
     /// The files that are there, and their states.
-    fn look(&self) -> BTreeMap<PathBuf, Version> {
+    fn look(&self) -> BTreeMap<PathBuf, FileVersion> {
         let mut files = vec![self.path.to_owned()];
         if self.is_folder {
             let found = std::fs::read_dir(self.path).into_iter().flatten().flatten();
@@ -124,7 +133,8 @@ impl Followed<'_> {
         }
         let known = |file: PathBuf| {
             let signature = Identity::of(&signature_path(&file)).ok();
-            Identity::of(&file).ok().map(|identity| (file, (identity, signature)))
+            let version = FileVersion { file: Identity::of(&file).ok()?, signature };
+            Some((file, version))
         };
         files.into_iter().filter_map(known).collect()
     }

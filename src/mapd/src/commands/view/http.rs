@@ -228,13 +228,12 @@ fn events(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
     let mut told = None;
     loop {
         let now = match told {
-            None => map.pair(),
+            None => map.version(),
             Some(told) => map.other_than(told, SIGN_OF_LIFE),
         };
-        let (generation, revision) = now;
         match told == Some(now) {
             true => stream.write_all(b":\n\n")?,
-            false => write!(stream, "data: {generation} {revision}\n\n")?,
+            false => write!(stream, "data: {} {}\n\n", now.generation, now.overlay)?,
         }
         stream.flush()?;
         told = Some(now);

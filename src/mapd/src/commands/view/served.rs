@@ -1,6 +1,6 @@
 //! A map that is shown: a file, or a live one that is followed.
 
-use crate::args::Opening;
+use crate::args::{OpenedSource, Opening};
 use crate::commands::status;
 use crate::findings;
 use crate::progress::Manner;
@@ -12,11 +12,17 @@ use std::path::Path;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// A generation, and the revision of what is laid over it.
-pub(super) type Pair = (u64, u64);
+/// What is shown of a map.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct ShownVersion {
+    /// The map's generation.
+    pub(super) generation: u64,
+    /// The revision of what is laid over it.
+    pub(super) overlay: u64,
+}
 
-fn pair(snapshot: &Snapshot) -> Pair {
-    (snapshot.generation(), snapshot.overlay_revision())
+fn version(snapshot: &Snapshot) -> ShownVersion {
+    ShownVersion { generation: snapshot.generation(), overlay: snapshot.overlay_revision() }
 }
 
 /// Longest wait for the next generation or overlay, after which it is waited for anew.
@@ -44,18 +50,18 @@ impl Served {
             Some(name) => {
                 let client = opening.connect(name)?;
                 let snapshot = client.snapshot();
-                (Some(client), Some((snapshot, None)))
+                (Some(client), Some(OpenedSource::compiled_before(snapshot)))
             }
             None => (None, opening.open_with_findings(source, Manner::Bar)?),
         };
         let domain = client.as_ref().map(|_| opening.domain()).transpose()?;
         let source = source.to_owned();
-        Ok(opened.map(|(now, compiled)| Self {
+        Ok(opened.map(|OpenedSource { snapshot, compilation }| Self {
             source,
             client,
             domain,
-            findings: findings::of(&now, compiled.as_deref()),
-            now: now.into(),
+            findings: findings::of(&snapshot, compilation.as_deref()),
+            now: snapshot.into(),
             changed: Condvar::new(),
         }))
     }
@@ -94,15 +100,15 @@ impl Served {
     }
 
     /// Generation and revision of the overlay that are served now.
-    pub(super) fn pair(&self) -> Pair {
-        pair(&self.lock())
+    pub(super) fn version(&self) -> ShownVersion {
+        version(&self.lock())
     }
 
     /// Waits until another generation or overlay than this is served, so long at most; what is.
-    pub(super) fn other_than(&self, known: Pair, longest: Duration) -> Pair {
-        let is_same = |now: &mut Snapshot| pair(now) == known;
+    pub(super) fn other_than(&self, known: ShownVersion, longest: Duration) -> ShownVersion {
+        let is_same = |now: &mut Snapshot| version(now) == known;
         let waited = self.changed.wait_timeout_while(self.lock(), longest, is_same);
-        pair(&waited.unwrap_or_else(PoisonError::into_inner).0)
+        version(&waited.unwrap_or_else(PoisonError::into_inner).0)
     }
 
     /// Follows a live map for ever; returns at once for a file.
