@@ -8,6 +8,7 @@ use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_
 use mapd_xodr::PatchError;
 use std::fs::File;
 use std::io::{self, Read, Seek};
+use std::os::unix::fs::FileTypeExt;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
@@ -59,9 +60,8 @@ pub fn compile_file_with(
         include_folder: reading.include_folder.clone().or_else(|| folder(path)),
         ..reading.clone()
     };
-    // What cannot be opened is said in words of its own.
-    drop(open_input(path)?);
-    let compiled = compile_from(|| File::open(path), &reading, options, progress);
+    let mut input = Input::open(path)?;
+    let compiled = compile_from(|| input.from_start(), &reading, options, progress);
     compiled.map_err(|error| {
         let is_unfit = error.get_ref().is_some_and(|inner| inner.is::<PatchError>());
         let said = format!("reading {}", path.display());
@@ -78,10 +78,38 @@ pub(crate) fn folder(path: &Path) -> Option<PathBuf> {
     Some(if parent.as_os_str().is_empty() { PathBuf::from(".") } else { parent.to_owned() })
 }
 
-/// Opens an OpenDRIVE file.
-///
-/// Errors: it cannot be opened, is a folder, or an archive by its first bytes.
-pub(crate) fn open_input(path: &Path) -> Result<File> {
+/// An OpenDRIVE file that is opened. What was opened first is read first: the writer of a pipe may be done with its first reader.
+pub(crate) struct Input<'a> {
+    path: &'a Path,
+    first: Option<File>,
+    is_pipe: bool,
+}
+
+impl<'a> Input<'a> {
+    /// Opens a file.
+    ///
+    /// Errors: it cannot be opened, is a folder, or an archive by its first bytes.
+    pub(crate) fn open(path: &'a Path) -> Result<Self> {
+        let file = open_input(path)?;
+        let is_pipe = file.metadata()?.file_type().is_fifo();
+        Ok(Self { path, first: Some(file), is_pipe })
+    }
+
+    /// The file from its start.
+    ///
+    /// Errors: it cannot be opened again, as a pipe.
+    pub(crate) fn from_start(&mut self) -> io::Result<File> {
+        match self.first.take() {
+            Some(first) => Ok(first),
+            None if self.is_pipe => Err(io::Error::other(
+                "a pipe cannot be read again, which leaving out what has errors needs; write it to a file first",
+            )),
+            None => File::open(self.path),
+        }
+    }
+}
+
+fn open_input(path: &Path) -> Result<File> {
     let mut file = File::open(path).with_context(|| format!("opening {}", path.display()))?;
     let kind = file.metadata()?.file_type();
     anyhow::ensure!(!kind.is_dir(), "{} is a folder, expected an OpenDRIVE file", path.display());

@@ -546,6 +546,43 @@ fn a_document_beyond_the_limit_is_not_read_to_an_end_that_it_has_not() {
     assert_eq!(ends("/dev/zero", Stdio::null()), Some(4));
 }
 
+/// A pipe was opened twice: who wrote quickly and left had written to the first reader, and the second waited for ever.
+#[test]
+fn a_pipe_is_opened_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let pipe = folder.path().join("map.xodr");
+    assert!(Command::new("mkfifo").arg(&pipe).status().expect("runs").success());
+    let archive = folder.path().join("map.mapd").display().to_string();
+    let whole = std::fs::read(mapd_tests::carried("town.xodr")).expect("the map can be read");
+    let text = String::from_utf8(whole.clone()).expect("text");
+    let broken = text.replacen("length=\"76\" id=\"2\"", "length=\"-1\" id=\"2\"", 1);
+    let run = |args: &[&str], text: &[u8]| {
+        let mut command = Command::new(MAPD);
+        let command = command.args(args).arg(&pipe).stdout(Stdio::null());
+        let mut child = command.stderr(Stdio::piped()).spawn();
+        // Opens when somebody reads, writes all that the pipe takes, and leaves.
+        std::fs::write(&pipe, text).expect("written");
+        let patience = std::time::Instant::now();
+        let child = child.as_mut().expect("starts");
+        while child.try_wait().expect("waits").is_none() {
+            if patience.elapsed() > mapd_tests::test_domain::PATIENCE {
+                child.kill().expect("killed");
+            }
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        let mut said = String::new();
+        let mut stderr = child.stderr.take().expect("a pipe");
+        std::io::Read::read_to_string(&mut stderr, &mut said).expect("text");
+        (child.wait().expect("ended").code(), said)
+    };
+    for _ in 0..5 {
+        assert_eq!(run(&["compile", "--quiet", "-o", &archive], &whole).0, Some(0));
+        assert_eq!(run(&["check"], &whole).0, Some(0));
+    }
+    let (exit, said) = run(&["check"], broken.as_bytes());
+    assert!(exit == Some(1) && said.contains("a pipe cannot be read again"), "{exit:?}: {said}");
+}
+
 /// Exit code 0 came with an archive that `inspect --verify` refused.
 #[test]
 fn what_compile_writes_is_proved() {

@@ -1,5 +1,6 @@
 //! What a daemon shows while it runs: logs, metrics, the service manager's socket, proofs of what is served.
 
+use mapd_tests::json_schema::{schema, wrong};
 use mapd_tests::manager::{Manager, WATCHDOG};
 use mapd_tests::test_domain::{PATIENCE, TestDomain, until};
 use mapd_transport::{AttachLock, Subscription};
@@ -25,6 +26,8 @@ fn town() -> String {
 struct Logged {
     child: Child,
     lines: BufReader<ChildStderr>,
+    /// What a line of JSON is held to.
+    schema: Value,
 }
 
 impl Logged {
@@ -35,7 +38,7 @@ impl Logged {
     fn spawn(command: &mut Command) -> Self {
         let mut child = command.spawn().expect("starts");
         let lines = BufReader::new(child.stderr.take().expect("stderr"));
-        Self { child, lines }
+        Self { child, lines, schema: schema("log") }
     }
 
     fn line(&mut self) -> Option<String> {
@@ -49,6 +52,7 @@ impl Logged {
         loop {
             let line = self.line().expect("the daemon ended");
             let event: Value = serde_json::from_str(&line).expect("a line of JSON");
+            assert_eq!(wrong(&self.schema, &event), None, "{line}");
             if event["message"].as_str().is_some_and(|message| message.contains(words)) {
                 return event;
             }

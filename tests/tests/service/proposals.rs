@@ -3,6 +3,7 @@
 use mapd_client::overlay::{Decision, ProposeError, Proposer};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Attach, Client};
+use mapd_tests::json_schema::{schema, wrong};
 use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain};
 use mapd_tests::town::town;
 use mapd_transport::{LONGEST_PROPOSAL, proposals_socket};
@@ -121,8 +122,10 @@ impl Scene {
         let prefix = self.domain.domain().prefix().to_owned();
         let path = self.domain.cache().join(format!("{prefix}town.overlay.audit.jsonl"));
         let text = fs::read_to_string(path).expect("the audit log");
+        let schema = schema("audit");
         let lines = text.lines().map(|line| {
             let line: Value = serde_json::from_str(line).expect("JSON");
+            assert_eq!(wrong(&schema, &line), None, "{line}");
             assert!(line["time"].as_str().is_some_and(|time| time.ends_with('Z')), "{line}");
             let word = |name: &str| line[name].as_str().expect("a word").to_owned();
             (word("source"), word("decision"))
@@ -194,6 +197,23 @@ fn only_what_the_policy_allows() {
     assert_eq!(scene.propose("probe", &wet("b", "")), Decision::Accepted);
     scene.refused("probe", &wet("b", ""), "more than 5 proposals in a minute");
     assert_eq!(scene.entries(), 2);
+    let found = scene.audit();
+    let count = |decision: &str| found.iter().filter(|(_, own)| own == decision).count();
+    assert_eq!((count("accepted"), count("refused")), (4, 10), "{found:?}");
+}
+
+/// A name that is too long with that of its source is refused before anything says that it is accepted, and waits for nobody.
+#[test]
+fn a_name_too_long_with_its_source_is_refused() {
+    let scene = Scene::new();
+    let _daemon = scene.serve();
+    let named = |length: usize| entry(&"x".repeat(length), "wet", [10, 20], "");
+    let longest = 200 - "proposed/probe/".len();
+    scene.refused("probe", &named(longest + 1), "1 to 200 bytes");
+    scene.refused("camera", &named(longest), "1 to 200 bytes");
+    assert_eq!(scene.propose("probe", &named(longest)), Decision::Accepted);
+    let decisions: Vec<_> = scene.audit().into_iter().map(|(_, decision)| decision).collect();
+    assert_eq!(decisions, ["refused", "refused", "accepted"]);
 }
 
 /// Whatever comes over the socket, nothing of it is laid over the map, and the daemon goes on.

@@ -9,12 +9,11 @@ mod xqar;
 use crate::args::{FrameArgs, JudgingArgs, ProgressArgs, ThreadsArg};
 use crate::exit::Exit;
 use crate::progress::Meter;
-use crate::source;
+use crate::source::{self, Input};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use mapd_compiler::{Compilation, CompileOptions, ReadOptions};
 use mapd_xodr::{Limits, source::SourceLimits};
-use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -129,11 +128,10 @@ impl CheckCommand {
         let file = &*self.file;
         let options = CompileOptions { crs: self.frame.crs, ..CompileOptions::default() };
         let bar = Meter::of_file(file, self.progress.manner());
-        // What cannot be opened is said in words of its own.
-        drop(source::open_input(file)?);
+        let mut input = Input::open(file)?;
         let reading = self.reading.options(file)?;
         let show = &mut |p| bar.show(p);
-        let checked = mapd_compiler::check_with(|| File::open(file), &reading, &options, show)
+        let checked = mapd_compiler::check_with(|| input.from_start(), &reading, &options, show)
             .with_context(|| format!("reading {}", file.display()))?;
         bar.finish();
         match if self.json { Format::Json } else { self.format } {

@@ -131,6 +131,8 @@ impl Judge {
         let rule = rule.ok_or_else(|| format!("{source:?} may not say `{}`", kind.name()))?;
         let entry = admitted(entry, rule, now())?;
         let document = Document { entries: vec![entry] };
+        // The name of its source has made it longer.
+        document.check(&limits).map_err(|error| error.to_string())?;
         let location = self.desk.location(map, &document)?;
         let [entry] = <[Entry; 1]>::try_from(document.entries).map_err(|_| "expected one entry")?;
         if self.desk.count(map, &format!("{PROPOSED}{source}/"), &entry.id) >= rule.most {
