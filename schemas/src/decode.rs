@@ -31,11 +31,24 @@ pub struct Rows {
 /// A table that lies in an archive: number and bytes.
 pub type Lying<'a> = (u32, &'a [u8]);
 
-/// Reads tables by the layout of a workspace. Those that it does not have, and those of strings, are passed over.
-///
-/// Errors: the layout cannot be read, or a table does not have its rows.
-pub fn decode(root: &Path, tables: &[Lying<'_>]) -> Result<Vec<Rows>> {
-    let layout = Layout::read(&root.join("schemas/archive.toml"))?;
+/// Reads tables by the layout of a workspace, which it reads once.
+pub struct Decoder(Layout);
+
+impl Decoder {
+    /// Errors: the layout cannot be read.
+    pub fn new(root: &Path) -> Result<Self> {
+        Ok(Self(Layout::read(&root.join("schemas/archive.toml"))?))
+    }
+
+    /// Reads tables. Those that the layout does not have, and those of strings, are passed over.
+    ///
+    /// Errors: a table does not have its rows.
+    pub fn decode(&self, tables: &[Lying<'_>]) -> Result<Vec<Rows>> {
+        decode(&self.0, tables)
+    }
+}
+
+fn decode(layout: &Layout, tables: &[Lying<'_>]) -> Result<Vec<Rows>> {
     let bytes_of = |name: &str| {
         let number = layout.tables.iter().find(|t| t.name == name).map(|t| t.number);
         tables.iter().find(|(n, _)| Some(*n) == number).map_or(&[][..], |(_, bytes)| *bytes)

@@ -2,7 +2,8 @@
 
 use crate::workspace;
 use mapd_compiler::{CompileOptions, ReadOptions, Verdict, compile_from};
-use mapd_schemas::decode::{Rows, Value, decode};
+use mapd_schemas::decode::{Decoder, Rows, Value};
+use std::sync::LazyLock;
 
 /// Largest difference, relative, between a number and itself in single precision.
 const SINGLE: f64 = 1e-6;
@@ -62,35 +63,43 @@ pub(super) fn compile(text: &str) -> Result<Vec<Rows>, String> {
             Some((entry.number, bytes.get(from..from + length)?))
         })
         .collect();
-    decode(&workspace(), &tables).map_err(|error| error.to_string())
+    static DECODER: LazyLock<Decoder> =
+        LazyLock::new(|| Decoder::new(&workspace()).expect("the layout reads"));
+    DECODER.decode(&tables).map_err(|error| error.to_string())
+}
+
+fn table<'a>(tables: &'a [Rows], name: &str) -> Option<&'a Rows> {
+    tables.iter().find(|rows| rows.name == name)
+}
+
+/// A field of a row; nothing where there is no such row.
+fn cell(rows: Option<&Rows>, row: usize, field: usize) -> &[Value] {
+    rows.and_then(|rows| rows.rows.get(row)?.get(field)).map_or(&[], Vec::as_slice)
 }
 
 /// Fields in which they differ, in the order of tables; places in the file count for nothing.
 pub(super) fn differences(before: &[Rows], after: &[Rows]) -> Vec<Difference> {
     let mut out = Vec::new();
-    let names = before.iter().chain(after).map(|rows| (rows.name.clone(), rows.fields.clone()));
+    let names = before.iter().chain(after).map(|rows| (&rows.name, &rows.fields));
     let mut seen = std::collections::BTreeSet::new();
     for (name, fields) in names {
         // Numbers and blocks of annotations change with their places.
-        if !seen.insert(name.clone()) || name.starts_with("annotation_") {
+        if !seen.insert(name) || name.starts_with("annotation_") {
             continue;
         }
-        let of = |tables: &'_ [Rows]| {
-            let found = tables.iter().find(|rows| rows.name == name);
-            found.map(|rows| rows.rows.clone()).unwrap_or_default()
-        };
-        let (old, new) = (of(before), of(after));
+        let (old, new) = (table(before, name), table(after, name));
+        if old.zip(new).is_some_and(|(old, new)| old.rows == new.rows) {
+            continue;
+        }
+        let count = |rows: Option<&Rows>| rows.map_or(0, |rows| rows.rows.len());
         for (i, field) in fields.iter().enumerate() {
             if ["line", "column"].contains(&field.as_str()) {
                 continue;
             }
-            let nothing = Vec::new();
-            let at = |rows: &Vec<Vec<Vec<Value>>>, row: usize| {
-                rows.get(row).and_then(|row| row.get(i)).unwrap_or(&nothing).clone()
-            };
-            let rows = 0..old.len().max(new.len());
-            let cells = rows.map(|row| (at(&old, row), at(&new, row)));
-            let values: Vec<_> = cells.filter(|(old, new)| old != new).collect();
+            let rows = 0..count(old).max(count(new));
+            let cells = rows.map(|row| (cell(old, row, i), cell(new, row, i)));
+            let differ = cells.filter(|(old, new)| old != new);
+            let values: Vec<_> = differ.map(|(old, new)| (old.to_vec(), new.to_vec())).collect();
             if !values.is_empty() {
                 let all = values.iter().flat_map(|(old, new)| old.iter().chain(new));
                 let is_code = all.into_iter().all(|value| matches!(value, Value::Code(_)));

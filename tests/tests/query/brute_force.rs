@@ -29,8 +29,10 @@ const SLIVER: f64 = 2.0 * f32::EPSILON as f64;
 const MARGIN: (f64, f64) = (0.05, 0.1);
 /// Cross-sections looked at between two neighbours before the search narrows.
 const PARTS: usize = 8;
-/// Narrowings to two thirds: of a metre to 1e-11 m.
-const NARROWINGS: usize = 64;
+/// Narrowings by the golden section: of a metre to 1e-11 m.
+const NARROWINGS: usize = 53;
+/// What is left of a stretch that is cut by the golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Farthest search `[m]`.
 const RADIUS: f64 = 50.0;
 /// Allowed difference of two distances `[m]`: where cross-sections cross, the search narrows to a neighbour.
@@ -99,13 +101,26 @@ impl<'a> Stretch<'a> {
             }
         }
         let (mut low, mut high) = ((nearest - 1.0).max(0.0), (nearest + 1.0).min(PARTS as f64));
+        // Each narrowing needs one more place: the other is one of those before.
+        let inner = |low: f64, high: f64| {
+            let length = GOLDEN * (high - low);
+            [high - length, low + length]
+        };
+        let [mut a, mut b] = inner(low, high);
+        let (mut at_a, mut at_b) = (at(a), at(b));
         for _ in 0..NARROWINGS {
-            let third = (high - low) / 3.0;
-            let (a, b) = (at(low + third), at(high - third));
-            best = best.min(a).min(b);
-            if a < b { high -= third } else { low += third }
+            best = best.min(at_a).min(at_b);
+            if at_a < at_b {
+                (high, b, at_b) = (b, a, at_a);
+                a = inner(low, high)[0];
+                at_a = at(a);
+            } else {
+                (low, a, at_a) = (a, b, at_b);
+                b = inner(low, high)[1];
+                at_b = at(b);
+            }
         }
-        best
+        best.min(at_a).min(at_b)
     }
 }
 

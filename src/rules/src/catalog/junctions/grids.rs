@@ -34,7 +34,8 @@ fn one_line(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     let Some(plan_view) = &junction.plan_view else { return };
     let is_line = matches!(&plan_view.geometry[..], [geometry] if geometry.line.is_some());
     if !is_line {
-        let found = format_args!("{} geometries, or a curve", plan_view.geometry.len());
+        let count = plan_view.geometry.len();
+        let found = format_args!("{count} geometries, or a curve");
         sink.add_within("planView", plan_view.span, "one line", found);
     }
 }

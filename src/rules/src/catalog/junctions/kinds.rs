@@ -132,7 +132,8 @@ fn linked_road(junction: &xodr::Junction, sink: &mut Sink<'_>) {
         return;
     }
     for connection in junction.connection.iter().filter(|c| c.linked_road.is_some()) {
-        let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+        let kind = kind(junction).name();
+        let found = format_args!("one in a junction of the kind {kind}");
         let severity = open(connection);
         sink.add_milder(severity, "connection", connection.span, "no @linkedRoad", found);
     }
@@ -154,7 +155,8 @@ fn overlap_zone(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     }
     let links = junction.connection.iter().flat_map(|connection| &connection.lane_link);
     for link in links.filter(|link| link.overlap_zone.is_some()) {
-        let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+        let kind = kind(junction).name();
+        let found = format_args!("one in a junction of the kind {kind}");
         sink.add_within("connection/laneLink", link.span, "no @overlapZone", found);
     }
 }
@@ -170,7 +172,8 @@ fn virtual_attributes(junction: &xodr::Junction, sink: &mut Sink<'_>) {
         ("orientation", junction.orientation.is_some()),
     ] {
         if given {
-            let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+            let kind = kind(junction).name();
+            let found = format_args!("one in a junction of the kind {kind}");
             sink.add(junction.span, format_args!("no @{name}"), found);
         }
     }
@@ -195,7 +198,8 @@ fn virtual_connections(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     }
     for connection in &junction.connection {
         if connection.r#type.is_some_and(|kind| kind.value == ConnectionType::Virtual) {
-            let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+            let kind = kind(junction).name();
+            let found = format_args!("one in a junction of the kind {kind}");
             sink.add_within("connection", connection.span, "no virtual connection", found);
         }
     }
@@ -218,7 +222,8 @@ fn crossing(junction: &xodr::Junction, sink: &mut Sink<'_>) {
 
 fn boundary(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     if let Some(boundary) = junction.boundary.as_ref().filter(|_| kind(junction) != Kind::Default) {
-        let found = format_args!("one in a junction of the kind {}", kind(junction).name());
+        let kind = kind(junction).name();
+        let found = format_args!("one in a junction of the kind {kind}");
         sink.add_within("boundary", boundary.span, "no boundary", found);
     }
 }

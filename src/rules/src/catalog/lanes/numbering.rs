@@ -131,7 +131,8 @@ fn gaps(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         for lane in of.outwards(side) {
             let Some(id) = value(&lane.id).filter(|id| id.signum() == sign) else { continue };
             if id != before && id != before.saturating_add(sign) {
-                let expected = format_args!("lane {}", before.saturating_add(sign));
+                let next = before.saturating_add(sign);
+                let expected = format_args!("lane {next}");
                 sink.add_within(
                     &lane_part(lane, ""),
                     lane.span,

@@ -159,7 +159,8 @@ fn lanes_there(network: &Network, sink: &mut Sink<'_>) {
             .and_then(|(road, id)| Some((road, network.section_at(road, end.contact, id)?, id)));
         for (road, section, id) in [touched, own].into_iter().flatten() {
             if network.lane(section, id).is_none() && id != 0 {
-                let expected = format_args!("a lane of road {}", network.name(road.id));
+                let name = network.name(road.id);
+                let expected = format_args!("a lane of road {name}");
                 add(
                     end.junction,
                     end.path,

@@ -152,7 +152,8 @@ fn partners(network: &Network, sink: &mut Sink<'_>) {
     for reference in of(network, NamedAt::Partner) {
         if !pairs.contains(&(reference.id, reference.from)) || reference.id == reference.from {
             let place = reference.path(network);
-            let found = format_args!("switch {}, which does not", network.name(reference.id));
+            let name = network.name(reference.id);
+            let found = format_args!("switch {name}, which does not");
             sink.add_at(
                 || place,
                 sink.severity,

@@ -128,7 +128,8 @@ fn defined(network: &Network, sink: &mut Sink<'_>) {
         }
         let kinds: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();
         let expected = format!("the id of a {}", kinds.join(" or "));
-        let found = format_args!("{}, which does not exist", network.name(reference.id));
+        let name = network.name(reference.id);
+        let found = format_args!("{name}, which does not exist");
         let path = || reference.path(network);
         sink.add_at(path, sink.severity, reference.span, expected, found);
     }
@@ -142,7 +143,8 @@ fn signals_only(network: &Network, sink: &mut Sink<'_>) {
             continue;
         }
         if let Some(kind) = PartKind::ALL.iter().find(|kind| found & kind.bit() != 0) {
-            let found = format_args!("that of a {}", kind.name());
+            let kind = kind.name();
+            let found = format_args!("that of a {kind}");
             sink.add_in(
                 PartOf::road(network.name(reference.from), reference.at.path()),
                 reference.span,

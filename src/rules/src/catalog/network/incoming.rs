@@ -64,7 +64,8 @@ fn one_link(network: &Network, sink: &mut Sink<'_>) {
         for connection in network.connections_of(junction) {
             let (from, to) = (connection.incoming, connection.connecting);
             if from != Name::default() && to != Name::default() && !pairs.insert((from, to)) {
-                let found = format_args!("another to road {}", network.name(to));
+                let road = network.name(to);
+                let found = format_args!("another to road {road}");
                 let at = JunctionConnection { junction, connection };
                 add_to_connection(network, at, sink, "one connection of two roads", found);
             }

@@ -114,7 +114,8 @@ fn heading(network: &Network, sink: &mut Sink<'_>) {
         let kink = Edge { station: main, borders: [0.0; 2] }
             .kink(&Edge { station: own, borders: [0.0; 2] });
         if kink > KINK.value {
-            let expected = format_args!("the heading of road {}", network.name(leaving.main.id));
+            let main = network.name(leaving.main.id);
+            let expected = format_args!("the heading of road {main}");
             leaving.add(sink, expected, format_args!("one that differs by {kink:.4} rad"));
         }
     }

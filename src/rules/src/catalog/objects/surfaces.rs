@@ -116,7 +116,8 @@ fn overlap(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for pair in boxes.windows(2) {
         let (a, b) = (&pair[0], &pair[1]);
         if b.0 - b.1 < a.0 + a.1 && (a.2 - b.2).abs() < a.3 + b.3 {
-            let found = format_args!("an overlap with object {}", text(&a.4.id));
+            let other = text(&a.4.id);
+            let found = format_args!("an overlap with object {other}");
             sink.add_within("objects/object", b.4.span, "surfaces apart from one another", found);
         }
     }
@@ -134,8 +135,9 @@ fn skewed(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     let bend = record.map_or(0.0, |record| record.cubic.second_derivative(s - record.s).abs());
     let size = number(&object.length).max(number(&object.width));
     if size * bend > 1.0 {
+        let radius = 1.0 / bend;
         let expected =
-            format_args!("an object below {:.2} m, the radius of the road's height", 1.0 / bend);
+            format_args!("an object below {radius:.2} m, the radius of the road's height");
         sink.add(object.span, expected, format_args!("{size} m"));
     }
 }

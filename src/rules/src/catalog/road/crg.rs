@@ -111,7 +111,8 @@ fn opposite(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
         if let Some(mode) =
             value(&crg.mode).filter(|m| !matches!(m, CrgMode::Attached | CrgMode::Attached0))
         {
-            let found = format_args!("opposite in the mode {}", mode.name());
+            let mode = mode.name();
+            let found = format_args!("opposite in the mode {mode}");
             sink.add_within(PART, crg.span, "the orientation same", found);
         }
     }

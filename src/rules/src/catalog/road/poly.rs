@@ -117,7 +117,8 @@ fn mismatched<'a>(
 
 fn length_match(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for (geometry, longer) in mismatched(of, false) {
-        let expected = format_args!("a curve of the length {} m", number(&geometry.length));
+        let length = number(&geometry.length);
+        let expected = format_args!("a curve of the length {length} m");
         let found = format_args!("one that is {longer:.6} m longer; scaled to the written length");
         sink.add_within(PART, geometry.span, expected, found);
     }

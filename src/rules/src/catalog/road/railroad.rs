@@ -57,7 +57,8 @@ fn centered(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
     let Some((span, _)) = right.or(left) else { return };
     let middle = (left.map_or(0.0, |lane| lane.1) + right.map_or(0.0, |lane| lane.1)) / 2.0;
     if left.is_some() && right.is_some() && middle.abs() > CENTERED.value {
-        let found = format_args!("it {:.3} m away", middle.abs());
+        let away = middle.abs();
+        let found = format_args!("it {away:.3} m away");
         sink.add_within("lane", span, "the middle of the track at the reference line", found);
     }
 }
