@@ -1,10 +1,13 @@
-//! From exec to the first answer, fresh processes, interleaved with the same program on plain open and mmap.
+//! From exec to the first answer, fresh processes, interleaved with the same program on plain open and mmap. Then attaching alone beside the same steps in C
+//! (`attach.c`, compiled by `cc`), to one of many maps beside the only one, and when an observer hears of a generation beside a subscriber.
 
-use mapd::serve::{PublishMeta, Server, StopSignal};
+use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
 use mapd_benches::{percentiles, print};
-use mapd_client::Domain;
+use mapd_client::{Attach, Client, Domain, MapEvent};
 use mapd_compiler::{CompileOptions, compile};
+use std::collections::BTreeMap;
 use std::io::Read;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -45,6 +48,176 @@ fn phases(reports: &[String]) -> String {
 /// An archive of half a gigabyte: the first map's, with a table blown up.
 const LARGE: usize = 512 << 20;
 
+/// Attaches of a running process between two turns, and turns.
+const TIMES: usize = 200;
+const TURNS: usize = 15;
+
+/// Maps of a daemon that has many.
+const MANY: usize = 900;
+
+/// Generations whose events are heard.
+const EVENTS: usize = 200;
+
+/// Longest wait for anything.
+const WAIT: Duration = Duration::from_secs(60);
+
+/// Publishes bytes as they are.
+fn publish(server: &mut Server, map: &str, bytes: &[u8]) -> u64 {
+    let fill = |loan: &mut [u8]| {
+        loan.copy_from_slice(bytes);
+        let content_hash = mapd_archive::open(bytes)?.header.content_hash;
+        Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
+    };
+    server.publish(map, bytes.len(), fill).expect("publishes")
+}
+
+/// Times that a program prints, a line each.
+fn printed(command: &mut Command) -> Vec<Duration> {
+    let output = command.output().expect("runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8(output.stdout).expect("text");
+    text.lines().map(|line| Duration::from_nanos(line.parse().expect("a number"))).collect()
+}
+
+/// Attaches in a running process, in Rust.
+fn attaches(prefix: &str, map: &str) -> Vec<Duration> {
+    let mut probe = Command::new(env!("CARGO_BIN_EXE_attach_probe"));
+    let probe = probe.env("MAPD_PREFIX", prefix).env("PROBE_TIMES", TIMES.to_string());
+    printed(probe.args(["times", map]))
+}
+
+fn told(what: &str, ours: Vec<Duration>, beside: &str, theirs: Vec<Duration>) {
+    let ((ours, ours99), (theirs, theirs99)) = (percentiles(ours), percentiles(theirs));
+    print(&format!(
+        "{what} p50 {ours:.2?} p99 {ours99:.2?}; {beside} p50 {theirs:.2?} p99 {theirs99:.2?}; ratio {:.2}",
+        ours.as_secs_f64() / theirs.as_secs_f64()
+    ));
+}
+
+/// Attaching alone in a running process, beside the same system calls in C.
+fn beside_c(folder: &Path, prefix: &str, map: &str) {
+    let program = folder.join("attach");
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("attach.c");
+    let compiled =
+        Command::new("cc").args(["-O2", "-Wall", "-o"]).arg(&program).arg(source).output();
+    match compiled {
+        Ok(output) if output.status.success() => {}
+        other => {
+            return print(&format!(
+                "skipped: no attach in C, for cc does not compile it: {other:?}"
+            ));
+        }
+    }
+    let (mut rust, mut c) = (Vec::new(), Vec::new());
+    for _ in 0..TURNS {
+        rust.extend(attaches(prefix, map));
+        c.extend(printed(Command::new(&program).args([prefix, map, &TIMES.to_string()])));
+    }
+    told("attaching alone, observer", rust, "the same steps in C", c);
+}
+
+/// Attaching to one of many maps, beside the only one of another daemon.
+fn one_of_many() {
+    let path = mapd_tests::carried("one_road.xodr");
+    let archive = mapd_benches::compiled(&path);
+    let prefixes = ["many", "one"].map(|name| format!("mapd{name}{}_", std::process::id()));
+    let domains = prefixes.each_ref().map(|prefix| Domain::new(prefix).expect("a prefix"));
+    let mut servers = domains.each_ref().map(|domain| Server::start(domain).expect("starts"));
+    let start = Instant::now();
+    for number in 0..MANY {
+        publish(&mut servers[0], &format!("m{number}"), archive.bytes());
+    }
+    let taken = start.elapsed();
+    publish(&mut servers[1], "m", archive.bytes());
+    let middle = format!("m{}", MANY / 2);
+    let (mut many, mut one) = (Vec::new(), Vec::new());
+    for _ in 0..TURNS {
+        many.extend(attaches(&prefixes[0], &middle));
+        one.extend(attaches(&prefixes[1], "m"));
+    }
+    told(
+        &format!("attaching to one of {MANY} maps (published in {taken:.1?})"),
+        many,
+        "to the only one",
+        one,
+    );
+    drop(servers);
+    for domain in &domains {
+        let _ = std::fs::remove_dir_all(domain.root());
+    }
+}
+
+/// When a client hears of each generation.
+fn heard(attach: Attach, domain: &Domain) -> BTreeMap<u64, Instant> {
+    let client = Client::connect_as(attach, domain, "m", WAIT).expect("attaches");
+    let mut events = client.events();
+    let mut heard = BTreeMap::new();
+    let last = client.snapshot().generation() + EVENTS as u64;
+    while client.snapshot().generation() < last {
+        match events.next(WAIT).expect("no error") {
+            Some(MapEvent::Generation(snapshot)) => {
+                heard.insert(snapshot.generation(), Instant::now());
+            }
+            Some(_) => {}
+            None => panic!("no generation came"),
+        }
+    }
+    heard
+}
+
+/// How much later an observer hears of a generation than a subscriber.
+fn events() {
+    let domain = Domain::new(&format!("mapdevents{}_", std::process::id())).expect("a prefix");
+    let archive = mapd_benches::compiled(&mapd_tests::carried("one_road.xodr"));
+    let (stop, door) = (StopSignal::new().expect("a signal"), Doorbell::new().expect("a bell"));
+    let ringer = door.ringer().expect("a ringer");
+    let (published, news) = std::sync::mpsc::channel();
+    let later = std::thread::scope(|scope| {
+        let (bytes, stopped, of) = (archive.bytes(), &stop, &domain);
+        scope.spawn(move || {
+            let mut server = Server::start(of).expect("starts");
+            while !stopped.is_requested() {
+                publish(&mut server, "m", bytes);
+                // Nobody listens any more at the end.
+                let _ = published.send(());
+                server.run_until(stopped, &door).expect("serves");
+                door.answer();
+            }
+        });
+        news.recv().expect("published");
+        let [observer, subscriber] = [Attach::Observer, Attach::Subscriber]
+            .map(|attach| scope.spawn(move || heard(attach, of)));
+        // Both are there long before.
+        std::thread::sleep(Duration::from_secs(1));
+        for _ in 0..EVENTS {
+            ringer.ring();
+            news.recv().expect("published");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let (observer, subscriber) =
+            (observer.join().expect("ends"), subscriber.join().expect("ends"));
+        stop.request();
+        let both =
+            observer.iter().filter_map(|(number, when)| Some((*when, *subscriber.get(number)?)));
+        both.map(|(ours, theirs)| {
+            let sign = if ours > theirs { 1.0 } else { -1.0 };
+            sign * 1e3 * ours.max(theirs).duration_since(ours.min(theirs)).as_secs_f64()
+        })
+        .collect::<Vec<f64>>()
+    });
+    let mut later = later;
+    later.sort_by(f64::total_cmp);
+    let at = |share: f64| later[((later.len() - 1) as f64 * share) as usize];
+    print(&format!(
+        "{} generations' events: an observer hears of one later than a subscriber by p50 {:.3} ms, p90 {:.3} ms, p99 {:.3} ms (negative: earlier)",
+        later.len(),
+        at(0.5),
+        at(0.9),
+        at(0.99)
+    ));
+    let _ = std::fs::remove_dir_all(domain.root());
+}
+
 fn main() {
     let folder = tempfile::tempdir().expect("a folder");
     let (name, path) = mapd_benches::small_map();
@@ -68,15 +241,7 @@ fn main() {
             let (domain, stop_here, bytes) = (&domain, &stop, &archive);
             scope.spawn(move || {
                 let mut server = Server::start(domain).expect("starts");
-                let fill = |loan: &mut [u8]| {
-                    loan.copy_from_slice(bytes);
-                    Ok(PublishMeta {
-                        layout_id: [0; 32],
-                        content_hash: mapd_archive::open(bytes)?.header.content_hash,
-                        input_hash: [0; 32],
-                    })
-                };
-                server.publish(name, bytes.len(), fill).expect("publishes");
+                publish(&mut server, name, bytes);
                 ready.send(()).expect("told");
                 server.run(stop_here).expect("serves");
             });
@@ -102,8 +267,11 @@ fn main() {
                 ));
             }
             print(&format!("  phases, medians: {}", phases(&reports)));
+            beside_c(folder.path(), &prefix, name);
             stop.request();
         });
         let _ = std::fs::remove_dir_all(domain.root());
     }
+    one_of_many();
+    events();
 }

@@ -81,6 +81,27 @@ else
     skip "this user may not make a mount namespace"
 fi
 
+step "the same in a process namespace of its own, as another release with a table more serves it"
+stop
+"$work/mapd" compile "$work/town.xodr" -o "$work/own.mapd"
+"$work/probe" release "$work/own.mapd" "$work/town.mapd"
+serve "$work/mapd" --load "$work/town.mapd"
+grep 'is not known' "$work/log" || fail "no word of the table that this release does not know"
+own=$("$work/mapd" query "$work/own.mapd" nearest <<<$'x,y\n50,-1.75')
+if unshare --mount --pid --fork true 2>/dev/null; then
+    # shellcheck disable=SC2016
+    answer=$(printf 'x,y\n50,-1.75\n' | unshare --mount --pid --fork --mount-proc sh -c '
+        mount --bind /dev/shm /dev/shm && mount -o remount,bind,ro /dev/shm || exit 3
+        exec "$0" query shm:town nearest --wait 5' "$work/mapd")
+else
+    skip "this user may not make a process namespace"
+    answer=$(ask "$work/mapd")
+fi
+expect_lane "$answer"
+[ "$answer" = "$own" ] || fail "expected as of the own release: $own, found: $answer"
+stop
+serve "$work/mapd" --load "$work/town.xodr"
+
 step "a client that locks all its memory, with a limit that is too small, and with one that is not"
 if told=$(ulimit -l 64 && setpriv --bounding-set=-ipc_lock --inh-caps=-ipc_lock "$work/probe" locked town 2>&1); then
     fail "a map larger than the limit was locked: $told"
@@ -123,6 +144,36 @@ grep -q 'not in it' <<<"$told" || fail "no word of the group: $told"
 echo "$told"
 stop
 
-step "daemon and clients of different releases"
-echo "shown by: cargo test -p mapd-tests --test service releases::"
+step "the units, and their drop-ins for other users"
+units=examples/systemd
+if command -v systemd-analyze >/dev/null; then
+    for unit in mapd planner; do
+        mkdir -p "$work/units/$unit.service.d"
+        # The programs and users of the units are not here.
+        local_names='s#/usr/bin/[a-z]*#/bin/true#; s#^\(User\|Group\|SupplementaryGroups\)=.*#\1=root#'
+        sed "$local_names" "$units/$unit.service" >"$work/units/$unit.service"
+        sed "$local_names" "$units/other-users/$unit.conf" >"$work/units/$unit.service.d/other-users.conf"
+    done
+    told=$(timeout 60 systemd-analyze verify --man=no "$work/units/mapd.service" "$work/units/planner.service" 2>&1) || fail "systemd-analyze: $told"
+    # What it does not understand is only a warning to it.
+    [ -z "$told" ] || fail "systemd-analyze: $told"
+    echo "systemd-analyze verify finds nothing"
+else
+    skip "systemd-analyze is not here"
+fi
+# What systemd does with them: users and groups, the environment, the command. The names are those of this script.
+named() { sed "s/\bvehicle\b/$daemon_user/g; s/\bdrivers\b/$drivers/g; s/\bdriver\b/$driver/g"; }
+value() { # UNIT KEY: the last one holds
+    cat "$units/$1.service" "$units/other-users/$1.conf" | sed -n "s/^$2=//p" | tail -n 1 | named
+}
+as_unit() { # UNIT COMMAND…
+    setpriv --reuid="$(value "$1" User)" --regid="$(value "$1" Group)" --groups="$(value "$1" SupplementaryGroups)" --no-new-privs "${@:2}"
+}
+export MAP="$work/town.xodr" CACHE_DIRECTORY="$work/cache"
+command=$(value mapd ExecStart | sed "s#^/usr/bin/mapd#$work/mapd#")
+unset MAPD_OWNER
+# shellcheck disable=SC2016
+serve setpriv --reuid="$(value mapd User)" --regid="$(value mapd Group)" --groups="$(value mapd SupplementaryGroups)" --no-new-privs sh -c "exec $command"
+expect_lane "$(ask as_unit planner env "$(value planner Environment)" "$work/mapd")"
+stop
 step "done"

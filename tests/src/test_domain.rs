@@ -1,6 +1,7 @@
 //! Daemons and clients as processes, each test in a domain of its own.
 
 use mapd::control::{MapState, ReloadReport, Request, Response, ask};
+use mapd::serve::{PublishMeta, Server};
 use mapd_client::Domain;
 use mapd_transport::AttachLock;
 use std::io::{BufRead, BufReader, Write};
@@ -27,6 +28,18 @@ pub fn until<T>(what: &str, mut look: impl FnMut() -> Option<T>) -> T {
         assert!(Instant::now() < until, "{what} does not come");
         std::thread::sleep(LOOK);
     }
+}
+
+/// Has a server of the test's own serve an archive; the number of the generation.
+///
+/// Panics if it cannot.
+pub fn publish(server: &mut Server, map: &str, archive: &[u8]) -> u64 {
+    let fill = |loan: &mut [u8]| {
+        loan.copy_from_slice(archive);
+        let content_hash = mapd_archive::open(loan)?.header.content_hash;
+        Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
+    };
+    server.publish(map, archive.len(), fill).expect("publishes")
 }
 
 /// A domain of its own for each test; everything of it is removed at the end.

@@ -71,8 +71,8 @@ pub struct Traced {
 }
 
 impl Traced {
-    /// Starts `program`, which runs once [`Traced::run`] is called. `input` is its standard input; output goes where
-    /// `program` says. Returns its standard error too, if that is piped.
+    /// Starts `program`, which runs once [`Traced::run`] is called. `input` is its standard input; its
+    /// output goes nowhere. Returns its standard error, if that is piped.
     ///
     /// Errors: it cannot be started; tracing is not permitted.
     pub fn start(

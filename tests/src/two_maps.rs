@@ -1,11 +1,30 @@
 //! A file that holds one of two maps in turn, and what is true in each.
 
+use mapd_archive::AlignedBytes;
 use mapd_client::{NearestOptions, Snapshot, glam::DVec2};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 /// Points of both maps.
 const POINTS: [DVec2; 3] = [DVec2::new(10.0, -1.5), DVec2::new(50.0, -1.75), DVec2::new(90.0, 1.6)];
+
+/// The two maps.
+const MAPS: [&str; 2] = ["one_road.xodr", "town.xodr"];
+
+/// The archives of two maps.
+///
+/// # Panics
+///
+/// If the maps that the project carries cannot be read.
+pub fn archives() -> [AlignedBytes; 2] {
+    MAPS.map(|name| {
+        let path = crate::carried(name);
+        let compiled = mapd::source::compile_file(&path, &Default::default(), &mut |_| {});
+        let compiled = compiled.expect("readable");
+        let rows = compiled.rows.expect("accepted");
+        mapd_archive::encode(&rows, &compiled.provenance).expect("encodes")
+    })
+}
 
 /// A file that holds one of two maps in turn.
 pub struct TwoMaps {
@@ -29,13 +48,8 @@ impl TwoMaps {
     /// If the maps that the project carries cannot be read.
     pub fn new() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        let paths = ["one_road.xodr", "town.xodr"].map(crate::carried);
         let mut truth = String::new();
-        for path in &paths {
-            let compiled = mapd::source::compile_file(path, &Default::default(), &mut |_| {});
-            let compiled = compiled.expect("readable");
-            let rows = compiled.rows.expect("accepted");
-            let bytes = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+        for bytes in archives() {
             let snapshot = Snapshot::from_bytes(bytes).expect("opens");
             for point in POINTS {
                 let hit = snapshot.map().nearest_lane(point, &NearestOptions::default());
@@ -45,7 +59,7 @@ impl TwoMaps {
                 writeln!(truth, "{hash} {} {} {key}", point.x, point.y).expect("a string");
             }
         }
-        let texts = paths.map(|path| std::fs::read(path).expect("readable"));
+        let texts = MAPS.map(|name| std::fs::read(crate::carried(name)).expect("readable"));
         let maps = Self { folder, texts, truth };
         maps.put(0);
         std::fs::write(maps.truth(), &maps.truth).expect("written");

@@ -1,5 +1,6 @@
 //! One process that attaches, answers once, says so with a byte on stdout, and ends: `attach_probe shm NAME`,
-//! `attach_probe subscriber NAME` or `attach_probe file PATH`.
+//! `attach_probe subscriber NAME` or `attach_probe file PATH`. `attach_probe times NAME` attaches as often as `PROBE_TIMES` says and prints the nanoseconds of each
+//! attach, a line each.
 //!
 //! With `file` it is the floor: the same archive by plain open and mmap. Behind the byte, `subscriber` says how long each phase of
 //! the attach took: microseconds, separated by blanks.
@@ -7,7 +8,7 @@
 use mapd_client::{Attach, Client, ClientError, Domain, NearestOptions, Snapshot};
 use std::io::Write;
 use std::process::ExitCode;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Longest wait.
 const WAIT: Duration = Duration::from_secs(5);
@@ -17,9 +18,28 @@ fn connect(attach: Attach, map: &str) -> Result<Client, ClientError> {
     Client::connect_as(attach, &domain, map, WAIT)
 }
 
+fn times(map: &str) -> ExitCode {
+    let (Ok(domain), Ok(times)) = (Domain::from_env(), std::env::var("PROBE_TIMES")) else {
+        return ExitCode::from(2);
+    };
+    let mut out = std::io::stdout().lock();
+    for _ in 0..times.parse().unwrap_or(0) {
+        let start = Instant::now();
+        let client = Client::connect_in(&domain, map, WAIT);
+        let taken = start.elapsed().as_nanos();
+        if client.is_err() || writeln!(out, "{taken}").is_err() {
+            return ExitCode::FAILURE;
+        }
+    }
+    ExitCode::SUCCESS
+}
+
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [how, what] = args.as_slice() else { return ExitCode::from(2) };
+    if how == "times" {
+        return times(what);
+    }
     let client = match how.as_str() {
         "shm" => Some(connect(Attach::Observer, what)),
         "subscriber" => Some(connect(Attach::Subscriber, what)),

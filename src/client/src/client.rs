@@ -9,6 +9,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+/// Looks after a deadline, each of which met a publication.
+const LATE: u32 = 8;
+
 /// How a client attaches to a map. Both ways read the same memory and offer the same calls.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -127,18 +130,17 @@ impl Client {
         };
         #[cfg(not(feature = "subscriber"))]
         let Source::Observer(observer) = &source;
+        let mut late = 0;
         let current = loop {
             let pinned = source.wait_newer(0, until)?;
             let snapshot = Snapshot::from_pinned(pinned, map)?;
             if let Some(pair) = lay(observer, &snapshot)? {
                 break pair;
             }
-            // A generation is being sent at this moment, or its daemon was killed then.
-            if Instant::now() >= until {
+            if !looks_again(observer, until, &mut late) {
                 let (map, newer_than, daemon_alive) = (map.to_owned(), 0, false);
                 return Err(AttachError::NoGeneration { map, newer_than, daemon_alive }.into());
             }
-            observer.sleep(until);
         };
         let (current, populate) = (Mutex::new(current), AtomicBool::new(false));
         Ok(Self {
@@ -252,18 +254,16 @@ impl Client {
         than: u64,
         deadline: Duration,
     ) -> Result<Snapshot, ClientError> {
-        let until = after(deadline);
+        let (until, mut late) = (after(deadline), 0);
         loop {
             let pinned = self.source.wait_newer(than, until)?;
             if let Some(kept) = self.keep(&self.open(pinned)?)? {
                 return Ok(kept);
             }
-            if Instant::now() < until {
-                self.observer().sleep(until);
-                continue;
+            if !looks_again(self.observer(), until, &mut late) {
+                let (map, newer_than, daemon_alive) = (self.name.clone(), than, false);
+                return Err(AttachError::NoGeneration { map, newer_than, daemon_alive }.into());
             }
-            let (map, newer_than) = (self.name.clone(), than);
-            return Err(AttachError::NoGeneration { map, newer_than, daemon_alive: false }.into());
         }
     }
 
@@ -344,6 +344,17 @@ impl Client {
         }
         Ok(pair)
     }
+}
+
+/// Whether to look again, after the record has named another generation than was had: that one is being sent at this moment, or its daemon was killed then, or a newer
+/// one has followed. Sleeps until the record changes; after the deadline, there are only a few more looks, for the newest.
+fn looks_again(observer: &Observer, until: Instant, late: &mut u32) -> bool {
+    if Instant::now() < until {
+        observer.sleep(until);
+        return true;
+    }
+    *late += 1;
+    *late <= LATE
 }
 
 /// A generation with the overlay that the record names for it; `None` if the record names another generation.

@@ -14,8 +14,12 @@
 //! - `follow NAME TRUTH`: follows every generation and asks it, until stdin ends; each answer must be the one that the file
 //!   TRUTH has for the generation's content: lines of content hash, x, y, lane.
 //! - `steps NAME`: attaches between two calls of `getppid`, for who counts system calls; then attaches again and tells the page faults of that.
-//! - `observe NAME`: follows, attaches anew all the while and proves every generation, until stdin ends; then waits for the last one.
+//! - `observe NAME`: follows, attaches anew all the while and proves every generation, until stdin ends; then waits for the last one and
+//!   proves the first once more.
+//! - `moment STEP NAME WAIT_MS`: takes a step (`attach`, `refresh`, `wait`) between two calls of `getppid`, for who stops it at the calls in between;
+//!   proves what it holds and says on stderr which generation that is.
 //! - `require NAME GENERATION WAIT_MS`: waits for this generation and no other.
+//! - `release FROM TO`: writes the archive of one file to another as a release writes it that has a table more.
 //! - `wait NAME WAIT_MS`: attaches, says so, reads a line from stdin, and waits for the next generation.
 //!
 //! All but `faults` attach as observers, with `PROBE_ATTACH=subscriber` as subscribers. One `key value` per line on stdout.
@@ -25,6 +29,7 @@ use iceoryx2::prelude::{NodeBuilder, SignalHandlingMode};
 use mapd_client::{
     Attach, Client, ClientError, Domain, NearestOptions, Snapshot, glam::DVec2, raw,
 };
+use mapd_tests::releases::{Parts, UNKNOWN_TABLE};
 use mapd_transport::{Subscription, TransportService, iceoryx2_config, silence_iceoryx2};
 use std::collections::BTreeMap;
 use std::io::{Read, Seek};
@@ -56,6 +61,8 @@ fn main() -> ExitCode {
         ["follow", map, truth] => follow(map, truth),
         ["steps", map] => steps(map),
         ["observe", map] => observe(map),
+        ["release", from, to] => release(from, to),
+        ["moment", step, map, wait] => milliseconds(wait).and_then(|wait| moment(step, map, wait)),
         ["require", map, generation, wait] => {
             milliseconds(wait).and_then(|wait| require(map, generation, wait))
         }
@@ -208,7 +215,8 @@ fn steps(map: &str) -> Outcome {
 fn observe(map: &str) -> Outcome {
     let domain = Domain::from_env()?;
     let follower = connect_to(map, WAIT)?;
-    println!("attached {}", follower.snapshot().generation());
+    let first = follower.snapshot();
+    println!("attached {}", first.generation());
     let ended = Arc::new(AtomicBool::new(false));
     let end = ended.clone();
     let input = std::thread::spawn(move || {
@@ -233,8 +241,44 @@ fn observe(map: &str) -> Outcome {
     let last = input.join().map_err(|_| "no last generation")?;
     let held = follower.require(last, WAIT)?;
     held.verify()?;
+    first.verify()?;
     println!("last {}\nattached {attached}\nseen {seen}", held.generation());
+    println!("first {}", first.generation());
     Ok(())
+}
+
+/// Does something between two calls of `getppid`.
+fn marked<T>(step: impl FnOnce() -> T) -> T {
+    nix::unistd::getppid();
+    let done = step();
+    nix::unistd::getppid();
+    done
+}
+
+fn moment(step: &str, map: &str, wait: Duration) -> Outcome {
+    let had = if step == "attach" {
+        // Ending the connection is no part of it.
+        marked(|| connect_to(map, wait))?.snapshot()
+    } else {
+        let client = connect_to(map, WAIT)?;
+        let before = client.snapshot();
+        let had = match step {
+            "refresh" => marked(|| client.refresh())?,
+            "wait" => marked(|| client.wait_next(wait))?,
+            _ => return Err("no such step".into()),
+        };
+        before.verify()?;
+        had
+    };
+    had.verify()?;
+    mapd_tests::say(&format!("has {}", had.generation()));
+    Ok(())
+}
+
+fn release(from: &str, to: &str) -> Outcome {
+    let snapshot = Snapshot::open(from)?;
+    let archive = Parts::of(snapshot.bytes()).with(UNKNOWN_TABLE, 24, &[7; 24 * 3]).to_archive();
+    Ok(std::fs::write(to, &archive)?)
 }
 
 fn require(map: &str, generation: &str, wait: Duration) -> Outcome {

@@ -56,6 +56,8 @@ mod service;
 mod service_trouble;
 // A map that is shared with a group: its members read, and can do no more.
 mod shared;
+// Readers that are stopped, at any moment, while generations and daemons change, and go on.
+mod stopped;
 // Many threads read while generations change under them: every answer belongs to the generation it was asked of.
 mod threads;
 // Signed archives: what is signed by the trusted key is served and queried, everything else is refused with its reason.

@@ -2,9 +2,10 @@
 
 use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
 use mapd_client::{Attach, Client};
-use mapd_tests::say;
-use mapd_tests::test_domain::{PATIENCE, TestDomain, until};
+use mapd_tests::test_domain::{PATIENCE, TestDomain, publish, until};
 use mapd_tests::tracer::{Side, Then, Traced};
+use mapd_tests::two_maps::archives;
+use mapd_tests::{number, say};
 use nix::errno::Errno;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::Stdio;
@@ -23,6 +24,9 @@ const SWAPS: u64 = 300;
 /// Processes that observe them, where `MAPD_OBSERVERS` says nothing else.
 const OBSERVERS: usize = 20;
 
+/// Processes that hold one map, where `MAPD_HOLDERS` says nothing else.
+const HOLDERS: usize = 40;
+
 /// Waits until the heart of the daemon that a client reads from has beaten after a moment.
 fn beats_after(client: &Client, moment: Instant) {
     until("a heartbeat", || {
@@ -37,10 +41,6 @@ const LATE: Duration = Duration::from_millis(1500);
 
 fn town() -> String {
     mapd_tests::carried("town.xodr").display().to_string()
-}
-
-fn number<T: std::str::FromStr>(variable: &str, otherwise: T) -> T {
-    std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(otherwise)
 }
 
 #[test]
@@ -84,24 +84,9 @@ fn attaching_takes_few_system_calls_and_leaves_nothing() {
 fn swaps_under_many_observers() {
     let (swaps, observers) = (number("MAPD_SWAPS", SWAPS), number("MAPD_OBSERVERS", OBSERVERS));
     let place = TestDomain::new(MAPD);
-    let archives = ["one_road.xodr", "town.xodr"].map(|name| {
-        let map = mapd_tests::carried(name);
-        let file = std::fs::File::open(map).expect("opens");
-        let options = mapd_compiler::CompileOptions::default();
-        let compiled = mapd_compiler::compile(file, &options, &mut |_| {}).expect("reads");
-        let rows = compiled.rows.expect("accepted");
-        mapd_archive::encode(&rows, &compiled.provenance).expect("encodes")
-    });
+    let archives = archives();
     let mut server = Server::start(&place.domain()).expect("starts");
-    let mut publish = |number: u64| {
-        let bytes = &archives[(number % 2) as usize];
-        let published = server.publish("m", bytes.len(), |loan| {
-            loan.copy_from_slice(bytes);
-            let content_hash = mapd_archive::open(loan)?.header.content_hash;
-            Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
-        });
-        published.expect("publishes")
-    };
+    let mut publish = |number: u64| publish(&mut server, "m", &archives[(number % 2) as usize]);
     publish(0);
     let mut children: Vec<_> = (0..observers)
         .map(|_| {
@@ -137,6 +122,55 @@ fn swaps_under_many_observers() {
         "{swaps} swaps, {observers} observers: {attached} proved, {seen} newer ones seen"
     ));
     assert!(seen > observers as u64, "nobody saw a swap");
+}
+
+/// Hundreds of processes that hold one map at the same moment, all of it mapped: each has its answers, and there is one copy.
+#[test]
+fn one_map_held_by_many_observers() {
+    let observers = number("MAPD_HOLDERS", HOLDERS);
+    let place = TestDomain::new(MAPD);
+    let _daemon = place.serve(&[&town()]);
+    let files = place.segments();
+    // One pipe for all of them: they end when it does.
+    let (stdin, end) = std::io::pipe().expect("a pipe");
+    let (said, stdout) = std::io::pipe().expect("a pipe");
+    let start = Instant::now();
+    let mut children: Vec<_> = (0..observers)
+        .map(|_| {
+            let mut command = place.command_of(PROBE);
+            command.args(["hold", "town"]);
+            command.stdin(stdin.try_clone().expect("a descriptor"));
+            command.stdout(stdout.try_clone().expect("a descriptor"));
+            command.stderr(Stdio::inherit()).spawn().expect("starts")
+        })
+        .collect();
+    drop((stdin, stdout));
+    let mut lines = BufReader::new(said).lines();
+    let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    let held = format!("held {}", client.snapshot().bytes().len());
+    for _ in 0..observers {
+        assert_eq!(lines.next().expect("a line").expect("text"), held);
+    }
+    let taken = start.elapsed();
+    assert_eq!(place.segments(), files, "observers make nothing");
+    // What the processes share is counted in shares.
+    let memory = |key: &str| -> u64 {
+        let of = |child: &std::process::Child| {
+            let path = format!("/proc/{}/smaps_rollup", child.id());
+            let text = std::fs::read_to_string(path).expect("a process");
+            let line = text.lines().find_map(|line| line.strip_prefix(key)).expect("a line");
+            line.split_whitespace().next().and_then(|number| number.parse::<u64>().ok())
+        };
+        children.iter().map(|child| of(child).expect("a number")).sum()
+    };
+    let (shared, all) = (memory("Pss_Shmem:"), memory("Pss:"));
+    drop(end);
+    for child in &mut children {
+        assert!(child.wait().expect("ends").success());
+    }
+    say(&format!(
+        "{observers} observers hold one map, the last {taken:.2?} after the first was started; their shares of shared memory {shared} KiB, of all memory {all} KiB"
+    ));
 }
 
 /// What a killed daemon served last is found, and its age seen; a client that waits gets the successor's.
@@ -210,14 +244,7 @@ fn a_map_is_withdrawn_and_comes_again() {
     let rows = mapd_archive::Rows::default();
     let bytes = mapd_archive::encode(&rows, &mapd_archive::Provenance::default()).expect("encodes");
     let mut server = Server::start(&place.domain()).expect("starts");
-    let publish = |server: &mut Server| {
-        let published = server.publish("m", bytes.len(), |loan| {
-            loan.copy_from_slice(&bytes);
-            let content_hash = mapd_archive::open(loan)?.header.content_hash;
-            Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
-        });
-        published.expect("publishes")
-    };
+    let publish = |server: &mut Server| publish(server, "m", &bytes);
     let first = publish(&mut server);
     let client = Client::connect_in(&place.domain(), "m", PATIENCE).expect("attaches");
     assert_eq!(client.snapshot().generation(), first);
@@ -252,12 +279,7 @@ fn every_generation_is_waited_for() {
         scope.spawn(move || {
             let mut server = Server::start(&domain).expect("starts");
             while !stopped.is_requested() {
-                let published = server.publish("m", bytes.len(), |loan| {
-                    loan.copy_from_slice(bytes);
-                    let content_hash = mapd_archive::open(loan)?.header.content_hash;
-                    Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
-                });
-                published.expect("publishes");
+                publish(&mut server, "m", bytes);
                 server.run_until(stopped, &door).expect("serves");
                 door.answer();
             }

@@ -3,10 +3,11 @@
 use super::overlays::{Scene, closed, closes};
 use mapd::control::{ReloadResult, Request};
 use mapd_client::vocabulary::VehicleClass;
-use mapd_client::{Attach, Snapshot};
+use mapd_client::{Attach, AttachError, Client, ClientError, Snapshot};
 use mapd_tests::test_domain::until;
 use mapd_tests::town::town;
 use std::fs;
+use std::path::PathBuf;
 use std::process::Command;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
@@ -102,6 +103,42 @@ fn what_does_not_fit_is_kept_until_it_ends() {
     let more = r#"{"entries":[{"id":"more","kind":"closed","lanes":[{"road":"2","lane":-1}]}]}"#;
     scene.ends(&["apply", "-"], more, 0);
     assert_eq!(states(), [("more".to_owned(), "active".to_owned())]);
+}
+
+/// A daemon is killed right after it has laid another overlay, and its successor has removed that and not published yet: readers go on with what they have, and newcomers wait.
+#[test]
+fn what_a_killed_daemon_laid_last_may_be_gone() {
+    let scene = Scene::new();
+    let daemon = scene.place.serve(&scene.args());
+    scene.ends(&["apply", "-"], &closed("first", -1), 0);
+    let clients = [Attach::Observer, Attach::Subscriber].map(|attach| scene.client(attach));
+    let first = clients[0].snapshot().overlay_revision();
+    scene.ends(&["apply", "-"], &closed("second", -1), 0);
+    daemon.kill();
+    // As the successor does when it claims the map.
+    let is_overlay = |path: &PathBuf| path.to_string_lossy().contains("town.overlay-");
+    let files = fs::read_dir(scene.place.domain().root()).expect("a folder").flatten();
+    let gone: Vec<_> = files.map(|file| file.path()).filter(is_overlay).collect();
+    assert_eq!(gone.len(), 1, "{gone:?}");
+    gone.iter().for_each(|path| fs::remove_file(path).expect("removed"));
+    let short = Duration::from_millis(300);
+    for client in &clients {
+        let kept = client.refresh().expect("what is had");
+        assert!(kept.overlay_revision() == first && closes(&kept).is_some());
+        assert!(!client.wait_change(short).expect("no error"));
+        let error = client.wait_next(short).err().expect("nothing new");
+        assert!(matches!(error, ClientError::Attach(AttachError::NoGeneration { .. })), "{error}");
+    }
+    let domain = scene.place.domain();
+    let error = Client::connect_in(&domain, "town", short).err().expect("never without it");
+    assert!(matches!(error, ClientError::Attach(AttachError::NoGeneration { .. })), "{error}");
+    let _successor = scene.place.serve(&scene.args());
+    for client in &clients {
+        until("the overlay", || {
+            let next = client.refresh().expect("no error");
+            (next.overlay_revision() > first && closes(&next).is_some()).then_some(())
+        });
+    }
 }
 
 /// An entry that closes lane −1 of a road and says the number of its overlay.

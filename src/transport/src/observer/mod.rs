@@ -23,6 +23,8 @@
 //! names in a record are plain and lie in the domain. A process that can write these files is trusted with memory that never shrinks: a mapping of a file that
 //! becomes shorter ends its reader by SIGBUS. Holes would do so where shared memory is full; files with holes are refused.
 
+#[cfg(test)]
+mod lives;
 mod memory;
 #[cfg(test)]
 #[allow(clippy::duplicate_mod)]

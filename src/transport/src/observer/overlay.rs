@@ -1,7 +1,7 @@
 //! The reader's side of overlays: which one the record names with a generation, and where its bytes are.
 
 use super::memory::{Refusal, map_segment};
-use super::reader::{LOOK, Observer, read, refused, sleep_on};
+use super::reader::{LOOK, Observer, READINGS, read, refused, sleep_on};
 use super::slot::{OverlayLocation, SlotContent};
 use crate::domain::Domain;
 use crate::error::AttachError;
@@ -15,9 +15,6 @@ use std::time::Instant;
 
 /// Suffix of the files of a map's overlays; their revisions follow.
 const SUFFIX: &str = ".overlay-";
-
-/// Readings of a record in a row, each of which named a file that was gone: a daemon needs a millisecond for each.
-const READINGS: usize = 64;
 
 /// The file of a revision of a map's overlay.
 pub fn overlay_file(domain: &Domain, map: &str, revision: u64) -> PathBuf {
@@ -33,7 +30,7 @@ pub enum OverlayState {
     Nothing,
     /// Something else than was known.
     New(PinnedOverlay),
-    /// The record is about another generation.
+    /// The record is about another generation, or names an overlay that is gone: its daemon was killed, and the next one has not published yet.
     Other,
 }
 
@@ -75,6 +72,7 @@ impl Observer {
     ///
     /// Errors: files of the domain cannot be used.
     pub fn laid_over(&self, generation: u64, known: u64) -> Result<OverlayState, AttachError> {
+        let mut gone = 0;
         for _ in 0..READINGS {
             let record = match self.record() {
                 Err(AttachError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
@@ -94,8 +92,12 @@ impl Observer {
                 Some(overlay) if overlay.revision == known => OverlayState::Known,
                 Some(overlay) => match self.open_overlay(overlay)? {
                     Some(pinned) => OverlayState::New(pinned),
-                    // Another has taken its place.
-                    None => continue,
+                    None if gone == sequence => OverlayState::Other,
+                    // Another has taken its place, or none.
+                    None => {
+                        gone = sequence;
+                        continue;
+                    }
                 },
             };
             self.looked.store(sequence, Ordering::Relaxed);

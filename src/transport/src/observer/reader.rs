@@ -32,8 +32,8 @@ const FIRST_PAUSE: Duration = Duration::from_micros(50);
 /// Longest such pause.
 const LONGEST_PAUSE: Duration = Duration::from_millis(10);
 
-/// Readings of a record in a row, each of which met a publication: a daemon needs a millisecond for each.
-const READINGS: usize = 64;
+/// Readings of a record in a row, each of which met a publication, or named a file that was gone: a daemon needs a millisecond for each.
+pub(super) const READINGS: usize = 64;
 
 /// A heartbeat of this age makes a reader look whether the record is still the one under its name. Daemons beat about once a second.
 const SILENCE: Duration = Duration::from_secs(3);
@@ -58,8 +58,6 @@ enum RecordState {
     Newer(Pinned),
     /// None, or none that is newer; wait until the record has another sequence.
     Nothing(Arc<Record>, u32),
-    /// No record, or one that names a file that is gone.
-    Gone,
 }
 
 impl Observer {
@@ -93,7 +91,7 @@ impl Observer {
     pub fn newer_than(&self, than: u64) -> Result<Option<Pinned>, AttachError> {
         match self.look(than) {
             Ok(RecordState::Newer(pinned)) => Ok(Some(pinned)),
-            Ok(RecordState::Nothing(..) | RecordState::Gone) => Ok(None),
+            Ok(RecordState::Nothing(..)) => Ok(None),
             // Root folder or record of a daemon that has ended.
             Err(AttachError::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
                 Ok(None)
@@ -120,7 +118,7 @@ impl Observer {
                     sleep_on(record.page(), sequence, left.min(LOOK));
                     pause = FIRST_PAUSE;
                 }
-                Ok(RecordState::Gone) | Err(_) => {
+                Err(_) => {
                     std::thread::sleep(pause.min(left));
                     pause = (pause * 2).min(LONGEST_PAUSE);
                 }
@@ -131,22 +129,29 @@ impl Observer {
     /// Looks once.
     fn look(&self, than: u64) -> Result<RecordState, AttachError> {
         let record = self.record()?;
-        let (sequence, said) = read(&record, &self.domain, &self.map, &self.path)?;
-        let SlotContent::Served(info, place) = said else {
-            return Ok(RecordState::Nothing(record, sequence));
-        };
-        if info.generation <= than {
-            return Ok(RecordState::Nothing(record, sequence));
+        let mut gone = 0;
+        for _ in 0..READINGS {
+            let (sequence, said) = read(&record, &self.domain, &self.map, &self.path)?;
+            let SlotContent::Served(info, place) = said else {
+                return Ok(RecordState::Nothing(record, sequence));
+            };
+            if info.generation <= than {
+                return Ok(RecordState::Nothing(record, sequence));
+            }
+            let mut current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some(pinned) = current.as_ref().filter(|pinned| *pinned.info() == info) {
+                return Ok(RecordState::Newer(pinned.clone()));
+            }
+            if let Some(pinned) = open(&info, &place, self.owner)? {
+                *current = Some(pinned.clone());
+                return Ok(RecordState::Newer(pinned));
+            }
+            // A daemon removes a file once the record names another. Where it still names this one, the daemon was killed and its successor has removed it.
+            if std::mem::replace(&mut gone, sequence) == sequence {
+                break;
+            }
         }
-        let mut current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(pinned) = current.as_ref().filter(|pinned| *pinned.info() == info) {
-            return Ok(RecordState::Newer(pinned.clone()));
-        }
-        let Some(pinned) = open(&info, &place, self.owner)? else {
-            return Ok(RecordState::Gone);
-        };
-        *current = Some(pinned.clone());
-        Ok(RecordState::Newer(pinned))
+        Ok(RecordState::Nothing(record, gone))
     }
 
     /// The record under its name: the one that is mapped, unless there is reason to think that another has taken its place.
