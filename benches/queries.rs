@@ -3,6 +3,7 @@
 use mapd_benches::{PARTICLES, best, cloud, maps, percentiles, places, print};
 use mapd_client::batch::{BatchScratch, NearestLanes, Places};
 use mapd_client::compiling::ByRow as _;
+use mapd_client::localisation::MarkFilter;
 use mapd_client::{Map, NearestOptions, Snapshot, Track, glam::DVec2};
 use mapd_compiler::{CompileOptions, compile};
 use rstar::RTree;
@@ -60,7 +61,29 @@ fn batch(map: Map<'_>, what: &str, points: &[DVec2]) {
             map.nearest_lanes(places, &options, &mut scratch, &mut out).expect("answers");
         }));
     }
-    let each = |time: Duration| time.as_secs_f64() * 1e9 / points.len() as f64;
+    print_pair(what, points.len(), single, together);
+}
+
+/// Best times of one place each for the nearest road mark, of single calls and of a batch, in turns.
+fn marks(map: Map<'_>, what: &str, points: &[DVec2]) {
+    let (filter, mut out) = (MarkFilter::default(), Vec::new());
+    let (mut single, mut together) = (Duration::MAX, Duration::MAX);
+    for _ in 0..ROUNDS {
+        single = single.min(best(1, || {
+            for point in points {
+                black_box(map.nearest_mark(*point, &filter).expect("an answer"));
+            }
+        }));
+        together = together.min(best(1, || {
+            map.nearest_marks(points, &filter, &mut out).expect("answers");
+        }));
+    }
+    print_pair(&format!("nearest mark, {what}"), points.len(), single, together);
+}
+
+/// Tells what one of so many places costs, asked one by one and together.
+fn print_pair(what: &str, count: usize, single: Duration, together: Duration) {
+    let each = |time: Duration| time.as_secs_f64() * 1e9 / count as f64;
     print(&format!(
         "{what}: {:.0} ns one by one, {:.0} ns as a batch ({:.1} ×)",
         each(single),
@@ -102,9 +125,13 @@ fn main() {
             places(map, false, count).iter().map(at).collect()
         };
         for (i, middle) in on_roads(CLOUDS).into_iter().enumerate() {
-            batch(map, &format!("cloud {i} of particles, {name}"), &cloud(middle, PARTICLES));
+            let particles = cloud(middle, PARTICLES);
+            batch(map, &format!("cloud {i} of particles, {name}"), &particles);
+            marks(map, &format!("cloud {i} of particles, {name}"), &particles);
         }
-        batch(map, &format!("{STREWN} places, {name}"), &on_roads(STREWN));
+        let strewn = on_roads(STREWN);
+        batch(map, &format!("{STREWN} places, {name}"), &strewn);
+        marks(map, &format!("{STREWN} places, {name}"), &strewn);
         for (kind, along) in [("random", false), ("along a trajectory", true)] {
             let places = places(map, along, QUERIES);
             let track = |&(road, s, t): &(u32, f64, f64)| {

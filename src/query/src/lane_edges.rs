@@ -74,4 +74,37 @@ impl<'a> Lane<'a> {
         });
         edges
     }
+
+    /// t of the outer edge at a place, with its growth along s, where it grows evenly from there to another s, by the records that hold at the place. None
+    /// where it does not, or that is not plain.
+    pub(crate) fn even_outer(&self, at: At, to: f64) -> Option<Slope> {
+        let offsets = if self.is_temporary() {
+            self.road.temporary_lane_offsets()
+        } else {
+            self.road.lane_offsets()
+        };
+        let mut edge = profile::even(offsets, at)?;
+        let sign = if self.number() > 0 { 1.0 } else { -1.0 };
+        let cubics = self.map.tables().cubics;
+        let mut is_even = true;
+        self.walk_outwards(|lane| {
+            let Some(record) = profile::even(lane.widths().of(cubics), at) else {
+                is_even = false;
+                return;
+            };
+            if lane.flags() & lane_flags::BORDER != 0 {
+                edge = record;
+                return;
+            }
+            let last = record.value + record.derivative * (to - at.s);
+            if record.value > 0.0 && last > 0.0 {
+                edge.value += sign * record.value;
+                edge.derivative += sign * record.derivative;
+            } else {
+                // Nothing where it has no width all along; where it closes or opens on the way the edge has a corner.
+                is_even &= record.value <= 0.0 && last <= 0.0;
+            }
+        });
+        is_even.then_some(edge)
+    }
 }

@@ -81,6 +81,16 @@ pub(crate) fn slope(records: &[ArchivedCubicRow], at: At) -> Slope {
     })
 }
 
+/// As [`slope`], of a record that grows evenly; none of another.
+#[inline]
+pub(crate) fn even(records: &[ArchivedCubicRow], at: At) -> Option<Slope> {
+    record(records, at).map_or(Some(Slope::default()), |r| {
+        let (a, b) = (r.a(), r.b());
+        let is_even = r.c() == 0.0 && r.d() == 0.0;
+        is_even.then(|| Slope { value: a + b * (at.s - r.s()), derivative: b })
+    })
+}
+
 /// Cosine and sine of a superelevation; (1, 0) without any trigonometry where there is none.
 #[inline]
 pub(crate) fn roll(angle: f64) -> (f64, f64) {

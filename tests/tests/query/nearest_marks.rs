@@ -11,8 +11,11 @@ use mapd_tests::maps::{self, Random};
 /// Between places along a mark `[m]`.
 const STEP: f64 = 0.02;
 
-/// Every line of every mark, place by place: lane's key, s, and where.
-fn places(map: Map<'_>) -> Vec<(String, f64, DVec2)> {
+/// A place of a mark: lane's key, the line's offset with where it begins and ends, s, and where.
+type Place = (String, [f64; 3], f64, DVec2);
+
+/// Every line of every mark, place by place.
+fn places(map: Map<'_>) -> Vec<Place> {
     let mut all = Vec::new();
     for row in 0..map.tables().lanes.len() as u32 {
         let lane = map.lane_by_row(row).expect("a lane");
@@ -27,12 +30,13 @@ fn places(map: Map<'_>) -> Vec<(String, f64, DVec2)> {
                 .collect();
             let lines = if lines.is_empty() { vec![whole] } else { lines };
             for [t_offset, from, to] in lines {
+                let line = [t_offset, mark.s() + from, mark.s() + to];
                 let count = ((to - from) / STEP).ceil().max(0.0) as usize;
                 for i in 0..=count {
                     let s = mark.s() + (from + STEP * i as f64).min(to);
                     let track = Track { s, t: mark.t_at(s) + t_offset, h: 0.0 };
                     let at = lane.road().to_inertial(track).expect("a place").position;
-                    all.push((lane.key().to_string(), s, at.truncate()));
+                    all.push((lane.key().to_string(), line, s, at.truncate()));
                 }
             }
         }
@@ -40,28 +44,59 @@ fn places(map: Map<'_>) -> Vec<(String, f64, DVec2)> {
     all
 }
 
+/// Half a step on either side of a place, narrowed down to where the mark is nearest: by public answers about its lane alone.
+fn narrowed(map: Map<'_>, (key, line, s, _): &Place, point: DVec2) -> f64 {
+    let lane = map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+    let mark = lane.road_marks().filter(|mark| mark.kind() != RoadMarkKind::None);
+    let mark = mark.min_by_key(|mark| u8::from(!(mark.s() <= *s && *s <= mark.s_end())));
+    let mark = mark.expect("a mark");
+    let [t_offset, from, to] = *line;
+    let distance = |s: f64| {
+        let track = Track { s, t: mark.t_at(s) + t_offset, h: 0.0 };
+        let at = lane.road().to_inertial(track).expect("a place").position;
+        at.truncate().distance(point)
+    };
+    let (mut low, mut high) = ((s - STEP).max(from), (s + STEP).min(to));
+    for _ in 0..60 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if distance(a) < distance(b) { high = b } else { low = a }
+    }
+    distance(low).min(distance(from.max(*s).min(to)))
+}
+
 /// Random points against all places; how many had a mark.
 fn check_places(map: Map<'_>, questions: usize) -> usize {
     let (all, mut random, mut seen) = (places(map), Random(21), 0);
     let filter = MarkFilter { radius: 4.0, ..MarkFilter::default() };
+    let (mut points, mut answers) = (Vec::new(), Vec::new());
     for _ in 0..questions {
-        let Some((_, _, near)) = all.get((random.unit() * all.len() as f64) as usize) else {
+        let Some((_, _, _, near)) = all.get((random.unit() * all.len() as f64) as usize) else {
             break;
         };
         let point = *near + DVec2::new(random.between(-3.0, 3.0), random.between(-6.0, 6.0));
-        let distance = |place: &(String, f64, DVec2)| place.2.distance(point);
-        let nearest = all.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        let expected = nearest.map_or(f64::INFINITY, distance);
-        match map.nearest_mark(point, &filter).expect("an answer") {
+        let distance = |place: &Place| place.3.distance(point);
+        let least = all.iter().map(distance).fold(f64::INFINITY, f64::min);
+        let near = all.iter().filter(|place| distance(place) <= least + STEP);
+        let expected = near.map(|place| narrowed(map, place, point)).fold(least, f64::min);
+        let found = map.nearest_mark(point, &filter).expect("an answer");
+        match &found {
             Some(found) => {
                 seen += 1;
-                assert!(found.distance <= expected + 1e-9, "{point}: {found:?}, not {nearest:?}");
-                assert!(found.distance >= expected - STEP, "{point}: {found:?}, not {nearest:?}");
+                let off = (found.distance - expected).abs();
+                assert!(off <= 1e-9, "{point}: {found:?}, not {expected}");
                 assert!((found.place.distance(point) - found.distance).abs() < 1e-9);
+                let lane = map.lane(found.lane).expect("a lane");
+                let track = lane.road().to_track(found.place).expect("a place");
+                assert!((track.s - found.s).abs() < 1e-6, "{point}: {found:?}, not {track:?}");
             }
-            None => assert!(expected > filter.radius - STEP, "{point}: none, not {nearest:?}"),
+            None => assert!(expected > filter.radius - 1e-9, "{point}: none, not {expected}"),
         }
+        points.push(point);
+        answers.push(found);
     }
+    let mut out = Vec::new();
+    map.nearest_marks(&points, &filter, &mut out).expect("answers");
+    assert_eq!(out, answers);
     seen
 }
 

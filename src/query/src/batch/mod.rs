@@ -14,7 +14,7 @@ mod tile;
 mod tracks;
 
 pub use lanes::NearestLanes;
-pub(crate) use order::Order;
+pub(crate) use order::{Order, curve_key};
 pub use poses::{PoseError, PoseMatches};
 pub use tracks::{Poses, TrackPositions, Tracks};
 

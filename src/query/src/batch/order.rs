@@ -47,11 +47,10 @@ impl Order {
             let scale = (CELLS / extent.max(f64::MIN_POSITIVE)).min(1.0 / SMALLEST_CELL);
             let bits = 2 * (u64::BITS - ((extent * scale) as u64).leading_zeros());
             self.keys.clear();
-            self.keys.extend((first..end).map(|i| {
-                let cell = (place(i) - low) * scale;
-                let curve = interleaved(cell.x as u16) | interleaved(cell.y as u16) << 1;
-                u64::from(curve) << 32 | (i - first) as u64
-            }));
+            self.keys.extend(
+                (first..end)
+                    .map(|i| u64::from(curve(place(i), low, scale)) << 32 | (i - first) as u64),
+            );
             sort(&mut self.keys, &mut self.spare, bits);
             visit(&OrderedRun { first, keys: &self.keys })?;
         }
@@ -115,6 +114,18 @@ impl OrderedRun<'_> {
         let keys = self.keys.get(from..end).unwrap_or_default();
         keys.iter().map(|key| self.first + *key as u32 as usize)
     }
+}
+
+/// A place's cell along the curve, which is laid over the square that begins at the smallest coordinates of some places and reaches to the largest.
+pub(crate) fn curve_key(place: DVec2, low: DVec2, high: DVec2) -> u32 {
+    let extent = (high - low).max_element();
+    let scale = (CELLS / extent.max(f64::MIN_POSITIVE)).min(1.0 / SMALLEST_CELL);
+    curve(place, low, scale)
+}
+
+fn curve(place: DVec2, low: DVec2, scale: f64) -> u32 {
+    let cell = (place - low) * scale;
+    interleaved(cell.x as u16) | interleaved(cell.y as u16) << 1
 }
 
 /// A number's bits with a gap after each.

@@ -1,9 +1,11 @@
 //! The course of one line of a road mark within a stretch of a lane, and its place that is nearest to a point.
 
+use super::form::{Form, Round, Straight};
 use super::{MarkFilter, MarkPoint, NearMark, Side};
 use crate::area::Slab;
+use crate::ids::LaneId;
 use crate::lane::Lane;
-use crate::profile::At;
+use crate::profile::{self, At};
 use crate::road_mark::{RoadMark, RoadMarkLine};
 use glam::{DVec2, DVec3};
 use mapd_archive::{RoadMarkColor, RoadMarkKind};
@@ -26,10 +28,11 @@ const STEP: f64 = 1e-4;
 const SLACK: f64 = 1e-9;
 
 /// One line of a mark along a stretch.
-pub(super) struct Course<'a, 'm> {
-    owner: &'a Lane<'m>,
-    slab: &'a Slab<'m>,
-    mark: &'a RoadMark<'m>,
+#[derive(Clone, Copy)]
+pub(super) struct Course<'m> {
+    owner: Lane<'m>,
+    slab: Slab<'m>,
+    mark: RoadMark<'m>,
     line: Option<RoadMarkLine>,
     /// First and last s `[m]`.
     s: [f64; 2],
@@ -40,18 +43,18 @@ pub(super) fn along<'m>(
     owner: &Lane<'m>,
     slab: &Slab<'m>,
     filter: &MarkFilter,
-    mut visit: impl FnMut(Course<'_, 'm>),
+    mut visit: impl FnMut(Course<'m>),
 ) {
+    let (owner, slab) = (*owner, *slab);
     for mark in owner.road_marks() {
-        let kind = mark.kind();
-        if kind == RoadMarkKind::None || !filter.kinds.contains(kind) {
-            continue;
-        }
         let of_mark = [mark.s().max(slab.s_lo), mark.s_end().min(slab.s_hi)];
         if of_mark[0] > of_mark[1] {
             continue;
         }
-        let mark = &mark;
+        let kind = mark.kind();
+        if kind == RoadMarkKind::None || !filter.kinds.contains(kind) {
+            continue;
+        }
         if mark.lines().len() == 0 {
             visit(Course { owner, slab, mark, line: None, s: of_mark });
         }
@@ -68,17 +71,15 @@ pub(super) fn along<'m>(
 }
 
 /// A place on a course.
-pub(super) struct CoursePoint<'c, 'a, 'm> {
-    course: &'c Course<'a, 'm>,
-    s: f64,
+pub(super) struct CoursePoint {
+    pub(super) s: f64,
     /// From the local origin.
-    place: DVec2,
+    pub(super) place: DVec2,
     /// Left of the reference line there.
-    normal: DVec2,
-    away: DVec2,
+    pub(super) normal: DVec2,
 }
 
-impl<'a, 'm> Course<'a, 'm> {
+impl<'m> Course<'m> {
     /// The line's place at s, and the normal to the left of the reference line.
     fn at(&self, s: f64) -> (DVec2, DVec2) {
         let at = self.slab.at(s);
@@ -142,8 +143,45 @@ impl<'a, 'm> Course<'a, 'm> {
         Some(gone.rem_euclid(period) <= line.length)
     }
 
-    /// The nearest place: the best of several is narrowed down between its neighbours.
-    pub(super) fn nearest(&self, local: DVec2) -> CoursePoint<'_, 'a, 'm> {
+    /// What the course is made of: closed forms where the reference line is a line or an arc, and the line keeps beside it.
+    pub(super) fn form(&self) -> Form {
+        self.even_form().unwrap_or(Form::Searched)
+    }
+
+    fn even_form(&self) -> Option<Form> {
+        let [from, to] = self.s;
+        let piece = &self.slab.piece;
+        let curvature = piece.curve.even_curvature_up_to(to - piece.s)?;
+        if self.mark.sways() {
+            return None;
+        }
+        let at = self.slab.at(from);
+        let mut t = self.owner.even_outer(at, to)?;
+        t.value += self.line.map_or(0.0, |line| line.t_offset);
+        let angle = profile::even(self.owner.road().superelevations(), at)?;
+        if angle.derivative != 0.0 {
+            return None;
+        }
+        let roll = profile::roll(angle.value).0;
+        let start = piece.curve.tangent(from - piece.s);
+        let (tangent, normal) =
+            (DVec2::new(start.cos, start.sin), DVec2::new(-start.sin, start.cos));
+        let first = DVec2::new(start.x, start.y) + normal * (t.value * roll);
+        let growth = t.derivative * roll;
+        if curvature == 0.0 {
+            return Some(Form::Straight(Straight::new(first, tangent, growth, [from, to])));
+        }
+        if growth != 0.0 {
+            return None;
+        }
+        let end = piece.curve.tangent(to - piece.s);
+        let last = DVec2::new(-end.sin, end.cos);
+        let center = DVec2::new(start.x, start.y) + normal / curvature;
+        Round::new(center, [normal, last], curvature, t.value * roll, [from, to]).map(Form::Round)
+    }
+
+    /// The nearest place, by looking: the best of several is narrowed down between its neighbours.
+    pub(super) fn searched(&self, local: DVec2) -> CoursePoint {
         let [from, to] = self.s;
         let distance = |s: f64| self.at(s).0.distance_squared(local);
         let parts = match self.mark.sways() {
@@ -170,7 +208,7 @@ impl<'a, 'm> Course<'a, 'm> {
         }
         let s = self.polished(best.1, local);
         let (place, normal) = self.at(s);
-        CoursePoint { course: self, s, place, normal, away: place - local }
+        CoursePoint { s, place, normal }
     }
 
     /// Where the course, straight from place to place, is nearest: a minimum tells its place to half its digits only.
@@ -191,20 +229,26 @@ fn less(best: (f64, f64), found: (f64, f64)) -> (f64, f64) {
     if found.0 < best.0 { found } else { best }
 }
 
-impl CoursePoint<'_, '_, '_> {
-    pub(super) fn near_mark(&self, origin: DVec2) -> NearMark {
-        let (color, width) = self.course.look();
-        let left = self.away.dot(self.normal) > 0.0;
+impl Course<'_> {
+    pub(super) fn lane(&self) -> LaneId {
+        self.owner.lane_id()
+    }
+
+    /// What is known of the mark at a place of the course.
+    pub(super) fn near_mark(&self, at: &CoursePoint, local: DVec2, origin: DVec2) -> NearMark {
+        let (color, width) = self.look();
+        let away = at.place - local;
+        let left = away.dot(at.normal) > 0.0;
         NearMark {
-            lane: self.course.owner.lane_id(),
-            s: self.s,
-            place: self.place + origin,
-            distance: self.away.length(),
+            lane: self.lane(),
+            s: at.s,
+            place: at.place + origin,
+            distance: away.length(),
             side_of_reference_line: if left { Side::Left } else { Side::Right },
-            kind: self.course.mark.kind(),
+            kind: self.mark.kind(),
             color,
             width,
-            painted: self.course.painted(self.s),
+            painted: self.painted(at.s),
         }
     }
 }

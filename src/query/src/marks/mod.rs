@@ -1,21 +1,21 @@
 //! The road mark that is nearest to a point: on its exact course, with what is painted there.
 
 mod course;
+mod form;
+mod many;
 mod points;
+mod search;
 
 pub use points::MarkPoint;
 
-use crate::area;
 use crate::error::QueryError;
 use crate::ids::LaneId;
-use crate::index;
-use crate::lane::Lane;
 use crate::map::Map;
-use crate::nearest::{LaneTypes, round_up};
+use crate::nearest::LaneTypes;
 use crate::types::is_place;
-use course::Course;
 use glam::DVec2;
-use mapd_archive::{NONE, RoadMarkColor, RoadMarkKind};
+use mapd_archive::{RoadMarkColor, RoadMarkKind};
+use search::Search;
 
 /// How far `[m]` a mark's line may lie from its lane's border (by sway and offsets of its lines) and still be found for sure.
 const MARK_SHIFT: f64 = 2.0;
@@ -145,42 +145,13 @@ impl Map<'_> {
             return Err(QueryError::NotFinite);
         }
         let local = point - self.origin();
-        let mut best: Option<NearMark> = None;
-        let bound_of = |best: &Option<NearMark>| {
-            round_up(best.map_or(filter.radius, |best| best.distance) + MARK_SHIFT)
-        };
-        let start = bound_of(&best);
-        index::visit(self.tables(), local, None, start, |leaf, qx, qy, mut bound| {
-            let (lanes, segments) = (leaf.lane(), leaf.segment());
-            let lower = index::lower_bounds(leaf, qx, qy, None);
-            let mut open = index::places_within(&lower, bound);
-            while let Some(k) = index::least(&lower, open) {
-                open &= !(1 << k);
-                if lanes[k] == NONE {
-                    continue;
-                }
-                let lane = Lane::new(*self, lanes[k]).filter(|l| filter.types.contains(l.kind()));
-                let Some(lane) = lane else { continue };
-                let Some(slab) = area::slab(&lane, usize::from(segments[k])) else { continue };
-                // Each border belongs to the lane on its inner side.
-                for owner in [Some(lane), lane.inner()].into_iter().flatten() {
-                    course::along(&owner, &slab, filter, |course: Course<'_, '_>| {
-                        let found = course.nearest(local).near_mark(self.origin());
-                        let near = found.distance <= filter.radius;
-                        if near && best.as_ref().is_none_or(|best| is_better(&found, best)) {
-                            best = Some(found);
-                        }
-                    });
-                }
-                bound = bound.min(bound_of(&best));
-                open &= index::places_within(&lower, bound);
-            }
-            bound
-        });
-        Ok(best)
+        let mut search = Search::new(*self, filter);
+        search.everywhere(local);
+        Ok(search.found(local))
     }
 
-    /// [`Map::nearest_mark`] of many points, in their order. `out` is emptied first; it grows only if its capacity is too small.
+    /// [`Map::nearest_mark`] of many points, in their order, bit for bit. Points near each other, in whatever order, cost a fraction of single
+    /// calls. `out` is emptied first; it grows only if its capacity is too small.
     ///
     /// Errors: coordinates that are not finite, by the number of the point; a radius that is not.
     pub fn nearest_marks(
@@ -190,15 +161,14 @@ impl Map<'_> {
         out: &mut Vec<Option<NearMark>>,
     ) -> Result<(), QueryError> {
         out.clear();
-        for (i, point) in points.iter().enumerate() {
-            out.push(self.nearest_mark(*point, filter).map_err(|error| error.at(i))?);
+        if !filter.radius.is_finite() && !points.is_empty() {
+            return Err(QueryError::Option("radius"));
         }
+        if let Some(i) = points.iter().position(|point| !is_place(*point)) {
+            return Err(QueryError::NotFiniteAt(i));
+        }
+        out.resize(points.len(), None);
+        many::answer(*self, points, filter, out);
         Ok(())
     }
-}
-
-/// Nearer; of equal ones the one of the first lane and s, whichever is visited first.
-fn is_better(found: &NearMark, best: &NearMark) -> bool {
-    let order = found.distance.total_cmp(&best.distance);
-    order.then(found.lane.cmp(&best.lane)).then(found.s.total_cmp(&best.s)).is_lt()
 }

@@ -1,17 +1,15 @@
 //! Points along road marks, to compare with what sensors see of the paint.
 
-use super::course::{self, Course};
-use super::{MARK_SHIFT, MarkFilter};
-use crate::area;
+use super::MarkFilter;
+use super::search::{each_course, shift};
 use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::index;
-use crate::lane::Lane;
 use crate::map::Map;
 use crate::nearest::round_up;
 use crate::region::Region;
 use glam::{DVec2, DVec3};
-use mapd_archive::{NONE, RoadMarkColor, RoadMarkKind};
+use mapd_archive::{RoadMarkColor, RoadMarkKind};
 
 /// Points are no nearer to each other than this `[m]`, whatever is asked for.
 const LEAST_SPACING: f64 = 0.01;
@@ -56,41 +54,25 @@ impl Map<'_> {
         let spacing = spacing.max(LEAST_SPACING);
         let [low, high] = region.local(self.origin());
         // Sway and offsets of lines lead out of their lane.
-        let (from, to) = (low - MARK_SHIFT, high + MARK_SHIFT);
+        let shift = shift(*self);
+        let (from, to) = (low - shift, high + shift);
         let (middle, reach) = (0.5 * (from + to), round_up(0.5 * (to - from).length()));
         index::visit_box(self.tables(), from, to, |leaf| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let away = middle - DVec2::new(f64::from(leaf.x()), f64::from(leaf.y()));
             let lower = index::lower_bounds(leaf, away.x as f32, away.y as f32, None);
-            for k in 0..lower.len() {
-                if lower[k] > reach || lanes[k] == NONE {
-                    continue;
-                }
-                let lane = Lane::new(*self, lanes[k]).filter(|l| filter.types.contains(l.kind()));
-                let Some(lane) = lane else { continue };
-                let Some(slab) = area::slab(&lane, usize::from(segments[k])) else { continue };
-                // Each border once: a lane's outer one, and lane 0 with one of the two lanes beside it.
-                let centre =
-                    lane.inner().filter(|inner| inner.number() == 0 && has_centre(&lane, filter));
-                for owner in [Some(lane), centre].into_iter().flatten() {
-                    course::along(&owner, &slab, filter, |course: Course<'_, '_>| {
-                        course.points(spacing, |s, local| {
-                            let flat = local.truncate();
-                            if flat.cmpge(low).all() && flat.cmple(high).all() {
-                                let position = local + self.origin().extend(0.0);
-                                out.push(course.mark_point(s, position));
-                            }
-                        });
+            for k in (0..lower.len()).filter(|k| lower[*k] <= reach) {
+                each_course(*self, lanes[k], segments[k], filter, |course| {
+                    course.points(spacing, |s, local| {
+                        let flat = local.truncate();
+                        if flat.cmpge(low).all() && flat.cmple(high).all() {
+                            let position = local + self.origin().extend(0.0);
+                            out.push(course.mark_point(s, position));
+                        }
                     });
-                }
+                });
             }
         });
         Ok(())
     }
-}
-
-/// Whether lane 0 comes with this lane: the one to its right, or where the filter leaves that out or it is not there, the one to its left.
-fn has_centre(lane: &Lane<'_>, filter: &MarkFilter) -> bool {
-    let right = lane.section().lane(-1).filter(|right| filter.types.contains(right.kind()));
-    lane.number() < 0 || right.is_none()
 }

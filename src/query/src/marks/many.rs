@@ -1,0 +1,162 @@
+//! The nearest marks to many points: what may be nearest to points near each other is found once for all of them.
+
+use super::search::{Candidate, Search, each_course, shift};
+use super::{MarkFilter, NearMark};
+use crate::batch::curve_key;
+use crate::index;
+use crate::map::Map;
+use crate::nearest::round_up;
+use glam::DVec2;
+
+/// Points that are ordered at once, in the stack's memory.
+const RUN: usize = 1024;
+/// Fewer points than this are asked one by one.
+const FEWEST: usize = 4;
+/// Largest extent of a tile along x and y `[m]`.
+const EXTENT: f64 = 2.5;
+/// Courses of a tile at most; points with more around them are asked one by one.
+const MOST_COURSES: usize = 48;
+/// What rounding makes of distances `[m]`, and more.
+const SLACK: f64 = 1e-6;
+
+/// Answers for all points, which are finite.
+pub(super) fn answer(
+    map: Map<'_>,
+    points: &[DVec2],
+    filter: &MarkFilter,
+    out: &mut [Option<NearMark>],
+) {
+    let shift = shift(map);
+    let mut tile = Tile { map, courses: [const { None }; MOST_COURSES], count: 0 };
+    for (points, out) in points.chunks(RUN).zip(out.chunks_mut(RUN)) {
+        let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        for point in points {
+            (low, high) = (low.min(*point), high.max(*point));
+        }
+        let mut keys = [0u64; RUN];
+        let Some(keys) = keys.get_mut(..points.len()) else { continue };
+        for (i, (key, point)) in keys.iter_mut().zip(points).enumerate() {
+            *key = u64::from(curve_key(*point, low, high)) << 32 | i as u64;
+        }
+        keys.sort_unstable();
+        let place = |key: &u64| points.get(*key as u32 as usize).copied().unwrap_or(DVec2::NAN);
+        let mut left: &[u64] = keys;
+        while let Some(key) = left.first() {
+            let (mut low, mut high) = (place(key), place(key));
+            let fits = |key: &&u64| {
+                let (lower, upper) = (low.min(place(key)), high.max(place(key)));
+                let fits = (upper - lower).max_element() <= EXTENT;
+                if fits {
+                    (low, high) = (lower, upper);
+                }
+                fits
+            };
+            let count = left.iter().take_while(fits).count();
+            let (own, rest) = left.split_at(count.max(1));
+            left = rest;
+            let origin = map.origin();
+            let is_tile =
+                own.len() >= FEWEST && tile.fill([low - origin, high - origin], filter, shift);
+            for key in own {
+                let local = place(key) - origin;
+                let mut search = Search::new(map, filter);
+                match is_tile {
+                    true => tile.ask(local, &mut search),
+                    false => search.everywhere(local),
+                }
+                if let Some(out) = out.get_mut(*key as u32 as usize) {
+                    *out = search.found(local);
+                }
+            }
+        }
+    }
+}
+
+/// What may be nearest to one of several points near each other.
+struct Tile<'m> {
+    map: Map<'m>,
+    /// With the distance of each from the tile's middle `[m]`, less what the points are away from that: none of them is nearer.
+    courses: [Option<(f64, Candidate<'m>)>; MOST_COURSES],
+    count: usize,
+}
+
+impl<'m> Tile<'m> {
+    /// Finds what may be nearest to a point in a box; whether everything has room.
+    fn fill(&mut self, [low, high]: [DVec2; 2], filter: &MarkFilter, shift: f64) -> bool {
+        self.count = 0;
+        let (middle, around) = (0.5 * (low + high), 0.5 * (high - low).length() + SLACK);
+        let map = self.map;
+        let (mut limit, mut fits) = (filter.radius + around, true);
+        let start = round_up(limit + shift);
+        index::visit(map.tables(), middle, None, start, |leaf, qx, qy, mut bound| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let lower = index::lower_bounds(leaf, qx, qy, None);
+            let mut open = index::places_within(&lower, bound);
+            while let Some(k) = index::least(&lower, open) {
+                open &= !(1 << k);
+                each_course(map, lanes[k], segments[k], filter, |course| {
+                    let candidate = Candidate::new(course);
+                    // Of a course that is searched nothing is known for sure: every point asks it.
+                    let Some(distance) = candidate.form.distance(middle) else {
+                        fits &= self.add(f64::NEG_INFINITY, candidate, limit - around);
+                        return;
+                    };
+                    if distance <= limit {
+                        // What is farther from the middle than this one by the tile's size is farther from every point.
+                        limit = limit.min(distance + 2.0 * around);
+                        fits &= self.add(distance - around, candidate, limit - around);
+                    }
+                });
+                bound = bound.min(round_up(limit + shift));
+                open &= index::places_within(&lower, bound);
+            }
+            bound
+        });
+        if fits {
+            self.keep(limit - around);
+            self.sort();
+        }
+        fits
+    }
+
+    /// Whether there is room; what has turned out to be too far makes some.
+    fn add(&mut self, least: f64, candidate: Candidate<'m>, limit: f64) -> bool {
+        if self.count == MOST_COURSES {
+            self.keep(limit);
+        }
+        let Some(place) = self.courses.get_mut(self.count) else { return false };
+        *place = Some((least, candidate));
+        self.count += 1;
+        true
+    }
+
+    /// Leaves out what is farther than a limit.
+    fn keep(&mut self, limit: f64) {
+        let mut kept = 0;
+        for i in 0..self.count {
+            let Some(Some((least, _))) = self.courses.get(i) else { continue };
+            if *least <= limit {
+                self.courses.swap(kept, i);
+                kept += 1;
+            }
+        }
+        self.count = kept;
+    }
+
+    /// What may be nearest comes first.
+    fn sort(&mut self) {
+        let least = |of: &Option<(f64, Candidate<'m>)>| of.as_ref().map_or(f64::INFINITY, |c| c.0);
+        if let Some(all) = self.courses.get_mut(..self.count) {
+            all.sort_unstable_by(|a, b| least(a).total_cmp(&least(b)));
+        }
+    }
+
+    fn ask(&self, local: DVec2, search: &mut Search<'m, '_>) {
+        for (least, candidate) in self.courses.iter().take(self.count).flatten() {
+            if *least > search.limit() {
+                break;
+            }
+            search.consider(*candidate, local);
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! The search for the nearest mark to one point.
+
+use super::course::{self, Course, CoursePoint};
+use super::form::Form;
+use super::{MARK_SHIFT, MarkFilter, NearMark};
+use crate::area::{self, Slab};
+use crate::index;
+use crate::lane::Lane;
+use crate::map::Map;
+use crate::nearest::round_up;
+use glam::DVec2;
+use mapd_archive::NONE;
+
+/// More styles of marks than this are not looked at to learn that none leaves its border.
+const FEW_STYLES: usize = 64;
+
+/// How far lines of marks may lie from their lane's border and still be found for sure `[m]`: 0 of a map whose marks all lie on it.
+pub(super) fn shift(map: Map<'_>) -> f64 {
+    let (styles, lines) = (map.tables().road_mark_styles, map.tables().road_mark_lines);
+    let are_few = styles.len() <= FEW_STYLES && lines.len() <= FEW_STYLES;
+    let keep = |map: Map<'_>| {
+        let tables = map.tables();
+        tables.road_mark_styles.iter().all(|style| style.sway().count == 0)
+            && tables.road_mark_lines.iter().all(|line| line.t_offset() == 0.0)
+    };
+    if are_few && keep(map) { 0.0 } else { MARK_SHIFT }
+}
+
+/// Visits the lanes whose borders count in a stretch of one of them: its own outer one, and lane 0's with one of the two lanes beside it.
+pub(super) fn each_owner<'m>(
+    lane: &Lane<'m>,
+    filter: &MarkFilter,
+    mut visit: impl FnMut(&Lane<'m>),
+) {
+    visit(lane);
+    // The lane to the inside has its border itself, unless the filter leaves it out.
+    if let Some(inner) = lane.inner() {
+        let comes_itself = match inner.number() {
+            0 => lane.number() > 0 && has_right(lane, filter),
+            _ => filter.types.contains(inner.kind()),
+        };
+        if !comes_itself {
+            visit(&inner);
+        }
+    }
+}
+
+/// Whether lane 0 comes with the lane to its right.
+fn has_right(lane: &Lane<'_>, filter: &MarkFilter) -> bool {
+    let right = lane.section().lane(-1);
+    right.is_some_and(|right| filter.types.contains(right.kind()))
+}
+
+/// A course, and what it is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Candidate<'m> {
+    pub(super) course: Course<'m>,
+    pub(super) form: Form,
+}
+
+impl<'m> Candidate<'m> {
+    pub(super) fn new(course: Course<'m>) -> Self {
+        Self { form: course.form(), course }
+    }
+
+    fn nearest(&self, local: DVec2) -> CoursePoint {
+        self.form.nearest(local).unwrap_or_else(|| self.course.searched(local))
+    }
+}
+
+/// The best so far of a point.
+pub(super) struct Search<'m, 'f> {
+    map: Map<'m>,
+    filter: &'f MarkFilter,
+    best: Option<(f64, Candidate<'m>)>,
+}
+
+impl<'m, 'f> Search<'m, 'f> {
+    pub(super) fn new(map: Map<'m>, filter: &'f MarkFilter) -> Self {
+        Self { map, filter, best: None }
+    }
+
+    /// Looks everywhere that the filter's radius allows.
+    pub(super) fn everywhere(&mut self, local: DVec2) {
+        let (map, filter, shift) = (self.map, self.filter, shift(self.map));
+        let start = round_up(filter.radius + shift);
+        index::visit(map.tables(), local, None, start, |leaf, qx, qy, mut bound| {
+            let (lanes, segments) = (leaf.lane(), leaf.segment());
+            let lower = index::lower_bounds(leaf, qx, qy, None);
+            let mut open = index::places_within(&lower, bound);
+            while let Some(k) = index::least(&lower, open) {
+                open &= !(1 << k);
+                each_course(map, lanes[k], segments[k], filter, |course| {
+                    self.consider(Candidate::new(course), local);
+                });
+                bound = bound.min(round_up(self.limit() + shift));
+                open &= index::places_within(&lower, bound);
+            }
+            bound
+        });
+    }
+
+    /// How far away what changes the answer may be `[m]`.
+    #[inline]
+    pub(super) fn limit(&self) -> f64 {
+        self.best.as_ref().map_or(self.filter.radius, |(distance, _)| *distance)
+    }
+
+    /// Takes a course that is nearer than the best so far; of equally near ones that of the first lane and s, whichever comes first.
+    #[inline]
+    pub(super) fn consider(&mut self, candidate: Candidate<'m>, local: DVec2) {
+        let distance = candidate.form.distance(local);
+        let distance =
+            distance.unwrap_or_else(|| candidate.course.searched(local).place.distance(local));
+        let limit = self.limit();
+        if !(distance <= limit) {
+            return;
+        }
+        let is_better = match &self.best {
+            Some((_, best)) if distance == limit => {
+                let rank = |of: &Candidate<'m>| (of.course.lane(), of.nearest(local).s);
+                let ((lane, s), (own, own_s)) = (rank(&candidate), rank(best));
+                lane.cmp(&own).then(s.total_cmp(&own_s)).is_lt()
+            }
+            _ => true,
+        };
+        if is_better {
+            self.best = Some((distance, candidate));
+        }
+    }
+
+    pub(super) fn found(&self, local: DVec2) -> Option<NearMark> {
+        let (_, best) = self.best.as_ref()?;
+        Some(best.course.near_mark(&best.nearest(local), local, self.map.origin()))
+    }
+}
+
+/// Visits each course along a stretch of the index.
+#[inline]
+pub(super) fn each_course<'m>(
+    map: Map<'m>,
+    lane: u32,
+    segment: u16,
+    filter: &MarkFilter,
+    mut visit: impl FnMut(Course<'m>),
+) {
+    if lane == NONE {
+        return;
+    }
+    let Some(lane) = Lane::new(map, lane).filter(|l| filter.types.contains(l.kind())) else {
+        return;
+    };
+    let Some(slab) = area::slab(&lane, usize::from(segment)) else { return };
+    let slab: Slab<'m> = slab;
+    each_owner(&lane, filter, |owner| course::along(owner, &slab, filter, &mut visit));
+}
