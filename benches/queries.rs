@@ -1,10 +1,13 @@
 //! Nearest lane and (s, t) → (x, y, z), against rstar and the crate `xodr`, in one run.
 
 use mapd_benches::{PARTICLES, best, cloud, maps, percentiles, places, print};
-use mapd_client::batch::{BatchScratch, NearestLanes, Places};
+use mapd_client::batch::{
+    BatchScratch, NearestLanes, Places, PoseMatches, Poses, TrackPositions, Tracks,
+};
 use mapd_client::compiling::ByRow as _;
-use mapd_client::localisation::MarkFilter;
-use mapd_client::{Map, NearestOptions, Snapshot, Track, glam::DVec2};
+use mapd_client::glam::{DMat3, DVec2, DVec3};
+use mapd_client::localisation::{GroundScratch, MarkFilter, MatchOptions, VehiclePose};
+use mapd_client::{Map, NearestOptions, Point, Snapshot, Track};
 use mapd_compiler::{CompileOptions, compile};
 use rstar::RTree;
 use rstar::primitives::{GeomWithData, Line};
@@ -64,21 +67,85 @@ fn batch(map: Map<'_>, what: &str, points: &[DVec2]) {
     print_pair(what, points.len(), single, together);
 }
 
-/// Best times of one place each for the nearest road mark, of single calls and of a batch, in turns.
-fn marks(map: Map<'_>, what: &str, points: &[DVec2]) {
-    let (filter, mut out) = (MarkFilter::default(), Vec::new());
+/// Best times of one of so many places, of single calls and of a batch, in turns.
+fn pair(what: &str, count: usize, mut one_by_one: impl FnMut(), mut as_batch: impl FnMut()) {
     let (mut single, mut together) = (Duration::MAX, Duration::MAX);
     for _ in 0..ROUNDS {
-        single = single.min(best(1, || {
-            for point in points {
-                black_box(map.nearest_mark(*point, &filter).expect("an answer"));
-            }
-        }));
-        together = together.min(best(1, || {
-            map.nearest_marks(points, &filter, &mut out).expect("answers");
-        }));
+        single = single.min(best(1, &mut one_by_one));
+        together = together.min(best(1, &mut as_batch));
     }
-    print_pair(&format!("nearest mark, {what}"), points.len(), single, together);
+    print_pair(what, count, single, together);
+}
+
+/// The nearest road mark, and the ground.
+fn marks_and_ground(map: Map<'_>, what: &str, points: &[DVec2]) {
+    let (filter, mut out) = (MarkFilter::default(), Vec::new());
+    let single = || {
+        for point in points {
+            black_box(map.nearest_mark(*point, &filter).expect("an answer"));
+        }
+    };
+    let together = || map.nearest_marks(points, &filter, &mut out).expect("answers");
+    pair(&format!("nearest mark, {what}"), points.len(), single, together);
+    let places: Vec<Point> = points.iter().map(|point| (*point).into()).collect();
+    let (mut room, mut scratch, mut out) =
+        (GroundScratch::default(), GroundScratch::default(), Vec::new());
+    let single = || {
+        for place in &places {
+            black_box(map.ground_at(*place, &[], &mut room).expect("an answer"));
+        }
+    };
+    let together = || map.ground_below(&places, &[], &mut scratch, &mut out).expect("answers");
+    pair(&format!("ground, {what}"), points.len(), single, together);
+}
+
+/// Poses of a cloud that head as the lane below each does.
+fn matches(map: Map<'_>, what: &str, points: &[DVec2]) {
+    let options = NearestOptions::default();
+    let pose = |point: &DVec2| {
+        let lane = map.nearest_lane(*point, &options).expect("an answer");
+        let heading = lane.map_or(0.0, |lane| lane.position.heading);
+        VehiclePose { position: (*point).into(), heading }
+    };
+    let poses: Vec<VehiclePose> = points.iter().map(pose).collect();
+    let covariance = [DMat3::from_diagonal(DVec3::new(0.09, 0.09, 0.0025))];
+    let (options, mut own) = (MatchOptions::default(), Vec::new());
+    let single = || {
+        for pose in &poses {
+            black_box(map.match_pose(pose, &covariance[0], &options, &mut own)).expect("an answer");
+        }
+    };
+    let (mut scratch, mut out) = (BatchScratch::default(), PoseMatches::default());
+    let together = || {
+        map.match_poses(&poses, &covariance, &options, &mut scratch, &mut out).expect("answers");
+    };
+    pair(&format!("match of poses, {what}"), points.len(), single, together);
+}
+
+/// Places all over the longest road, to its coordinates and from them.
+fn tracks(map: Map<'_>, name: &str) {
+    let road = map.roads().max_by(|a, b| a.length().total_cmp(&b.length())).expect("a road");
+    let s: Vec<f64> = (0..PARTICLES).map(|i| road.length() * i as f64 / PARTICLES as f64).collect();
+    let t: Vec<f64> = (0..PARTICLES).map(|i| (i % 9) as f64 - 4.0).collect();
+    let columns = Tracks { s: &s, t: &t, h: None };
+    let mut poses = Poses::default();
+    let single = || {
+        for (s, t) in s.iter().zip(&t) {
+            black_box(road.to_inertial(Track { s: *s, t: *t, h: 0.0 }).expect("a place"));
+        }
+    };
+    let together = || road.to_inertial_batch(columns, &mut poses).expect("places");
+    pair(&format!("to_inertial, the longest road, {name}"), PARTICLES, single, together);
+    let mut feet = TrackPositions::default();
+    let Poses { x, y, .. } = &poses;
+    let single = || {
+        for (x, y) in x.iter().zip(y) {
+            black_box(road.to_track(DVec2::new(*x, *y)).expect("a foot"));
+        }
+    };
+    let places = Places { x, y, z: None, heading: None };
+    let together = || road.to_track_batch(places, &mut feet).expect("feet");
+    pair(&format!("to_track, the longest road, {name}"), PARTICLES, single, together);
 }
 
 /// Tells what one of so many places costs, asked one by one and together.
@@ -127,11 +194,13 @@ fn main() {
         for (i, middle) in on_roads(CLOUDS).into_iter().enumerate() {
             let particles = cloud(middle, PARTICLES);
             batch(map, &format!("cloud {i} of particles, {name}"), &particles);
-            marks(map, &format!("cloud {i} of particles, {name}"), &particles);
+            marks_and_ground(map, &format!("cloud {i} of particles, {name}"), &particles);
+            matches(map, &format!("cloud {i} of particles, {name}"), &particles);
         }
+        tracks(map, name);
         let strewn = on_roads(STREWN);
         batch(map, &format!("{STREWN} places, {name}"), &strewn);
-        marks(map, &format!("{STREWN} places, {name}"), &strewn);
+        marks_and_ground(map, &format!("{STREWN} places, {name}"), &strewn);
         for (kind, along) in [("random", false), ("along a trajectory", true)] {
             let places = places(map, along, QUERIES);
             let track = |&(road, s, t): &(u32, f64, f64)| {

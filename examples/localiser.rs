@@ -58,7 +58,7 @@ fn localise(
         )?;
     }
     writeln!(out, "{none:.3} no lane")?;
-    if let Some(ground) = map.ground_at(at, ground)? {
+    if let Some(ground) = map.ground_at(at, &[], ground)? {
         writeln!(out, "ground at {:.2} m, level {} of {}", ground.z, ground.level, ground.levels)?;
     }
     if let Some(mark) = map.nearest_mark(at, &MarkFilter::default())? {

@@ -7,7 +7,7 @@
 use anyhow::{Context, Result, ensure};
 use mapd_client::batch::{BatchScratch, NearestLanes, Places};
 use mapd_client::glam::DVec2;
-use mapd_client::localisation::MarkFilter;
+use mapd_client::localisation::{MarkFilter, NearMark};
 use mapd_client::path::{PathBuffer, PathOptions};
 use mapd_client::route::{PositionOnLane, Reach, RouteRequest, RouteScratch, ShortestLength};
 use mapd_client::vocabulary::VehicleClass;
@@ -61,6 +61,9 @@ struct Particles {
     y: Vec<f64>,
     heading: Vec<f64>,
     weight: Vec<f64>,
+    /// Where they are, and the nearest mark to each.
+    places: Vec<DVec2>,
+    marks: Vec<Option<NearMark>>,
     /// Room for the next generation.
     next: [Vec<f64>; 3],
 }
@@ -105,7 +108,7 @@ impl Particles {
         }
     }
 
-    /// Weighs all by what the camera should see from there: one question about all particles.
+    /// Weighs all by what the camera should see from there: one question about the lanes of all particles, one about their marks.
     fn weigh_image(
         &mut self,
         map: Map<'_>,
@@ -115,6 +118,11 @@ impl Particles {
     ) -> Result<()> {
         let places = Places { x: &self.x, y: &self.y, z: None, heading: Some(&self.heading) };
         map.nearest_lanes(places, &options(), scratch, lanes)?;
+        if seen.mark.is_some() {
+            self.places.clear();
+            self.places.extend(self.x.iter().zip(&self.y).map(|(x, y)| DVec2::new(*x, *y)));
+            map.nearest_marks(&self.places, &MarkFilter::default(), &mut self.marks)?;
+        }
         for i in 0..PARTICLES {
             let mut fits = 0.0;
             if lanes.lane[i].is_some() {
@@ -124,9 +132,7 @@ impl Particles {
                 fits = (-0.5 * (off * off + turned * turned)).exp();
             }
             if let Some(distance) = seen.mark {
-                let place = DVec2::new(self.x[i], self.y[i]);
-                let mark = map.nearest_mark(place, &MarkFilter::default())?;
-                let off = mark.map_or(f64::INFINITY, |mark| mark.distance - distance);
+                let off = self.marks[i].map_or(f64::INFINITY, |mark| mark.distance - distance);
                 fits *= WRONG + (-0.5 * (off / OFFSET_NOISE).powi(2)).exp();
             }
             self.weight[i] *= WRONG + fits;

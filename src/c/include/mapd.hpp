@@ -102,9 +102,10 @@ class Snapshot : public Queries {
     });
   }
   /// The ground at many places; what has none gets a lane that names nothing. `out` has as many entries as `points`.
-  Error try_ground_below(span<const mapd_point> points, span<Ground> out, Scratch& scratch) const {
+  Error try_ground_below(span<const mapd_point> points, span<Ground> out, Scratch& scratch,
+                         span<const LaneId> expected = {}) const {
     return detail::batch(points, out, [&](auto all, auto count, auto... rest) {
-      return mapd_ground_at_batch(get(), all, count, scratch.get(), rest...);
+      return mapd_ground_at_batch(get(), all, count, expected.data(), expected.size(), scratch.get(), rest...);
     });
   }
   /// The road marks nearest to many points; what has none gets a lane that names nothing. `out` has as many entries as `points`.
@@ -174,8 +175,9 @@ class Snapshot : public Queries {
                      const NearestOptions& options = {}) const {
     detail::must(try_nearest_lanes(points, out, scratch, options));
   }
-  void ground_below(span<const mapd_point> points, span<Ground> out, Scratch& scratch) const {
-    detail::must(try_ground_below(points, out, scratch));
+  void ground_below(span<const mapd_point> points, span<Ground> out, Scratch& scratch,
+                    span<const LaneId> expected = {}) const {
+    detail::must(try_ground_below(points, out, scratch, expected));
   }
   void nearest_marks(span<const Vec2> points, span<NearMark> out, const MarkFilter& filter = {}) const {
     detail::must(try_nearest_marks(points, out, filter));

@@ -9,9 +9,9 @@ use crate::point::{mapd_point, mapd_vec2, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use crate::surface::{mapd_material, material_or_none};
-use mapd_client::LaneTypes;
 use mapd_client::glam::DVec2;
 use mapd_client::localisation::{Ground, MarkFilter, MarkKinds, NearMark, Side, Stance};
+use mapd_client::{LaneId, LaneTypes};
 
 /// The ground at a place.
 #[repr(C)]
@@ -65,6 +65,8 @@ pub struct mapd_mark_filter {
     pub kinds: u64,
     /// Types of lanes whose borders count, on either side, as in `mapd_nearest_options`. Default all.
     pub types: u64,
+    /// 0: what is painted as an object does not count in `mapd_mark_points`. Default 1.
+    pub objects: u8,
 }
 
 /// `painted` of a road mark: there is paint.
@@ -177,25 +179,47 @@ pub(crate) unsafe fn filter_of(filter: *const mapd_mark_filter) -> Result<MarkFi
         radius: given.radius,
         kinds: MarkKinds::from_bits(given.kinds),
         types: LaneTypes::from_bits(given.types),
+        objects: given.objects != 0,
     }))
 }
 
-/// The ground at a place, on the level whose height is nearest to the point's z; on the lowest one of a point without z. Heights more than
-/// 2 m apart are levels of their own. `MAPD_CODE_NONE` beside all lanes.
+/// The lanes that a caller expects, in a scratch's memory.
+///
+/// # Safety
+///
+/// `expected` is valid for reads of `count` entries.
+unsafe fn expected_of(
+    expected: *const mapd_lane_id,
+    count: usize,
+    lanes: &mut Vec<LaneId>,
+) -> Result<&[LaneId], Failure> {
+    lanes.clear();
+    // SAFETY: as promised above.
+    let expected = unsafe { entries(expected, count, "the expected lanes") }?;
+    lanes.extend(expected.iter().map(|lane| LaneId::from(*lane)));
+    Ok(lanes)
+}
+
+/// The ground at a place, on the level whose height is nearest to the point's z. A point without z is on the lowest level with one of `expected_count` lanes, such as the one
+/// that the vehicle was in and those that it can reach from there; with none of them, on the lowest one. Heights more than 2 m apart are levels of
+/// their own. `expected`: null with a count of 0 is fine. `MAPD_CODE_NONE` beside all lanes.
 ///
 /// Errors: `MAPD_CODE_NOT_FINITE`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_ground_at(
     snapshot: *const mapd_snapshot,
     point: mapd_point,
+    expected: *const mapd_lane_id,
+    expected_count: usize,
     scratch: *mut mapd_scratch,
     out: *mut mapd_ground,
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let ground = &mut get_mut(scratch, "a scratch")?.ground;
-            put_found(out, map_of(snapshot)?.ground_at(point, ground))
+            let mapd_scratch { ground, lanes, .. } = get_mut(scratch, "a scratch")?;
+            let expected = expected_of(expected, expected_count, lanes)?;
+            put_found(out, map_of(snapshot)?.ground_at(point, expected, ground))
         })
     }
 }
@@ -208,16 +232,20 @@ pub unsafe extern "C" fn mapd_ground_at_batch(
     snapshot: *const mapd_snapshot,
     points: *const mapd_point,
     count: usize,
+    expected: *const mapd_lane_id,
+    expected_count: usize,
     scratch: *mut mapd_scratch,
     out: *mut mapd_ground,
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let (map, ground) = (map_of(snapshot)?, &mut get_mut(scratch, "a scratch")?.ground);
+            let map = map_of(snapshot)?;
+            let mapd_scratch { ground, lanes, .. } = get_mut(scratch, "a scratch")?;
+            let expected = expected_of(expected, expected_count, lanes)?;
             let points = entries(points, count, "the points")?;
             fill(out, points, |point| {
-                let found = map.ground_at(*point, ground);
+                let found = map.ground_at(*point, expected, ground);
                 found.map(|found| found.map_or_else(no_ground, mapd_ground::from))
             })
         })
@@ -225,7 +253,7 @@ pub unsafe extern "C" fn mapd_ground_at_batch(
 }
 
 /// How a vehicle stands at a pose: the plane through the ground below its wheels, nearest to all four. `wheels` are four places where they touch the
-/// ground, from the reference point ahead (x) and to the left (y) \[m\]; the pose's z, if known, decides on which level. Pitch and roll follow heading, in
+/// ground, from the reference point ahead (x) and to the left (y) \[m\]; the pose's z, if known, decides on which level, then the expected lanes, as in `mapd_ground_at`. Pitch and roll follow heading, in
 /// this order. `MAPD_CODE_NONE` with ground below fewer than three wheels, or wheels in a line.
 ///
 /// Errors: `MAPD_CODE_NOT_FINITE`.
@@ -234,18 +262,22 @@ pub unsafe extern "C" fn mapd_stance_at(
     snapshot: *const mapd_snapshot,
     pose: mapd_vehicle_pose,
     wheels: *const mapd_vec2,
+    expected: *const mapd_lane_id,
+    expected_count: usize,
     scratch: *mut mapd_scratch,
     out: *mut mapd_stance,
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let (map, ground) = (map_of(snapshot)?, &mut get_mut(scratch, "a scratch")?.ground);
+            let map = map_of(snapshot)?;
+            let mapd_scratch { ground, lanes, .. } = get_mut(scratch, "a scratch")?;
+            let expected = expected_of(expected, expected_count, lanes)?;
             let mut own = [DVec2::ZERO; 4];
             for (own, wheel) in own.iter_mut().zip(entries(wheels, 4, "the wheels")?) {
                 *own = (*wheel).into();
             }
-            put_found(out, map.stance(&pose.into(), &own, ground))
+            put_found(out, map.stance(&pose.into(), &own, expected, ground))
         })
     }
 }
@@ -259,9 +291,10 @@ pub unsafe extern "C" fn mapd_mark_filter_init(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let MarkFilter { radius, kinds, types } = MarkFilter::default();
+            let MarkFilter { radius, kinds, types, objects } = MarkFilter::default();
             let (kinds, types) = (kinds.bits(), types.bits());
-            put_defaults(filter, size, mapd_mark_filter { size, radius, kinds, types })
+            let objects = objects.into();
+            put_defaults(filter, size, mapd_mark_filter { size, radius, kinds, types, objects })
         })
     }
 }

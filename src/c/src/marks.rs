@@ -2,14 +2,15 @@
 
 use crate::code::{answer, mapd_code, mapd_error};
 use crate::ground::{filter_of, mapd_mark_filter};
-use crate::ids::mapd_lane_id;
+use crate::ids::{MAPD_NO_ROW, mapd_lane_id, mapd_object_id};
 use crate::list::{List, finite, get_mut, put_some};
 use crate::lookup::lane_of;
+use crate::objects::mapd_placement_id;
 use crate::point::{mapd_region, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use mapd_client::LaneTypes;
-use mapd_client::localisation::MarkPoint;
+use mapd_client::localisation::{MarkPoint, MarkSource};
 use mapd_client::roads::{BoundarySegment, RoadMark, RoadMarkSegment};
 
 /// A road mark on a lane's outer border, for lane 0 on its own line.
@@ -66,22 +67,26 @@ pub struct mapd_road_mark_segment {
     pub color: u8,
 }
 
-/// A painted place of a road mark.
+/// A painted place.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct mapd_mark_point {
-    /// In the middle of the line, on the plane h = 0, inertial \[m\].
+    /// In the middle of the line, of a road mark on the plane h = 0, inertial \[m\].
     pub position: mapd_vec3,
-    /// The lane on whose outer border the mark lies; lane 0 for marks of the centre.
+    /// The lane on whose outer border the mark lies, lane 0 for marks of the centre; of an object a row of `MAPD_NO_ROW`.
     pub lane: mapd_lane_id,
-    /// Along the road \[m\].
+    /// Along the road \[m\]; of an object that of its origin.
     pub s: f64,
-    /// Width of the line \[m\].
+    /// Width of the line \[m\]; 0 of an outline, and where an object's line gives none.
     pub width: f64,
-    /// A `MAPD_ROAD_MARK_KIND_…`.
+    /// A `MAPD_ROAD_MARK_KIND_…`; of an object broken or solid, or a curb.
     pub kind: u8,
     /// A `MAPD_ROAD_MARK_COLOR_…`: the line's own, or the mark's.
     pub color: u8,
+    /// 1: on the outline of an object that is painted as a whole, and for which the file gives no lines.
+    pub is_outline: u8,
+    /// The place of the object that it belongs to; its object's row is `MAPD_NO_ROW` for a mark of a lane.
+    pub place: mapd_placement_id,
 }
 
 fn mark(one: &RoadMark<'_>) -> mapd_road_mark {
@@ -197,9 +202,9 @@ pub unsafe extern "C" fn mapd_road_mark_segments(
     }
 }
 
-/// Points along the lines of road marks in a rectangle, at every multiple of `spacing` \[m\] of their road's s, 1 cm at least: the same ones whatever
-/// rectangle they are asked for by. Gaps of broken lines have none; where the file does not say which places are gaps, all have. Of the filter kinds and lane
-/// types count; null is the default. In no particular order.
+/// Points along all paint and kerbs in a rectangle, at every multiple of `spacing` \[m\] of their road's s, of lines along objects from their beginning; 1 cm at
+/// least: the same ones whatever rectangle they are asked for by. Gaps of broken lines have none; where the file does not say which places are gaps, all
+/// have. Of the filter kinds, lane types and `objects` count; null is the default. In no particular order.
 ///
 /// Errors: `MAPD_CODE_NOT_FINITE`.
 #[unsafe(no_mangle)]
@@ -218,13 +223,23 @@ pub unsafe extern "C" fn mapd_mark_points(
         answer(error, || {
             let found = &mut get_mut(scratch, "a scratch")?.mark_points;
             map_of(snapshot)?.mark_points(region.into(), spacing, &filter_of(filter)?, found)?;
-            let point = |one: &MarkPoint| mapd_mark_point {
-                position: one.position.into(),
-                lane: one.lane.into(),
-                s: one.s,
-                width: one.width,
-                kind: one.kind.code(),
-                color: one.color.code(),
+            let no_place = mapd_placement_id { object: mapd_object_id::NONE, copy: MAPD_NO_ROW };
+            let point = |one: &MarkPoint| {
+                let (lane, place, is_outline) = match one.source {
+                    MarkSource::Lane(lane) => (lane.into(), no_place, 0),
+                    MarkSource::Line(place) => (mapd_lane_id::NONE, place.into(), 0),
+                    MarkSource::Outline(place) => (mapd_lane_id::NONE, place.into(), 1),
+                };
+                mapd_mark_point {
+                    position: one.position.into(),
+                    lane,
+                    s: one.s,
+                    width: one.width,
+                    kind: one.kind.code(),
+                    color: one.color.code(),
+                    is_outline,
+                    place,
+                }
             };
             List { out, capacity, count }.write(found.iter().map(point))
         })

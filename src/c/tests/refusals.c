@@ -264,11 +264,11 @@ int main(int argc, char **argv) {
   const mapd_vehicle_pose pose = {point, 0.0}, nan_pose = {point, NAN};
   const double covariance[9] = {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1}, skew[9] = {0.1, 1, 0, 0, 0.1, 0, 0, 0, 0.1};
   const mapd_trace_fix fixes[] = {{1.0, point, 0.0, 0}, {0.0, point, 0.0, 0}};
-  EXPECT(MAPD_CODE_OK, mapd_ground_at(map, point, scratch, ground, &error));
-  EXPECT(MAPD_CODE_NONE, mapd_ground_at(map, far_off, scratch, ground, &error));
-  EXPECT(MAPD_CODE_NOT_FINITE, mapd_ground_at_batch(map, two, 2, scratch, ground, &error));
+  EXPECT(MAPD_CODE_OK, mapd_ground_at(map, point, NULL, 0, scratch, ground, &error));
+  EXPECT(MAPD_CODE_NONE, mapd_ground_at(map, far_off, NULL, 0, scratch, ground, &error));
+  EXPECT(MAPD_CODE_NOT_FINITE, mapd_ground_at_batch(map, two, 2, NULL, 0, scratch, ground, &error));
   if (strncmp(error.message, "entry 1:", 8) != 0 || ground[0].lane.row != hit.lane.row) ++failures;
-  EXPECT(MAPD_CODE_NULL_POINTER, mapd_ground_at_batch(map, two, 2, NULL, ground, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_ground_at_batch(map, two, 2, NULL, 0, NULL, ground, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_mark_filter_init(&filter, 1, &error));
   EXPECT(MAPD_CODE_OK, mapd_mark_filter_init(&filter, sizeof filter, &error));
   filter.kinds = 0;
@@ -316,7 +316,7 @@ int main(int argc, char **argv) {
   mapd_landmark_in_view seen;
   mapd_stance stance;
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_landmarks_in_view(map, blind, NULL, scratch, &seen, 1, &count, &error));
-  EXPECT(MAPD_CODE_NULL_POINTER, mapd_stance_at(map, pose, NULL, scratch, &stance, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_stance_at(map, pose, NULL, NULL, 0, scratch, &stance, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_controller_signals(map, 1000000, NULL, 0, &count, &error));
 
   /* Words. */

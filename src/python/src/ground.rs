@@ -6,8 +6,8 @@ use crate::held::{Held, content, id};
 use crate::input::{NONE_ID, Rows, one_point, types_of};
 use crate::lane::Lane;
 use crate::room::{Column, Room};
-use mapd_client::LaneTypes;
 use mapd_client::localisation::{Ground, GroundScratch, MarkFilter, MarkKinds, NearMark, Side};
+use mapd_client::{LaneId, LaneTypes};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -23,12 +23,13 @@ pub(crate) fn ground_at<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
     points: &Bound<'py, PyAny>,
+    expected: &[LaneId],
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Option<Bound<'py, PyAny>>> {
     let map = held.map();
     if let Some(point) = one_point(points, "points")? {
-        let Some(ground) = map.ground_at(point, &mut GroundScratch::default()).map_err(query)?
-        else {
+        let found = map.ground_at(point, expected, &mut GroundScratch::default());
+        let Some(ground) = found.map_err(query)? else {
             return Ok(None);
         };
         let [z, nx, ny, nz, s, t] = ground_values(&ground);
@@ -54,7 +55,8 @@ pub(crate) fn ground_at<'py>(
         let mut lanes: Vec<u64> = room.take(points.len());
         let mut levels: [Vec<i64>; 2] = std::array::from_fn(|_| room.take(points.len()));
         for (row, point) in points.points().enumerate() {
-            let found = map.ground_at(point, &mut room.ground).map_err(|error| (row, error))?;
+            let found = map.ground_at(point, expected, &mut room.ground);
+            let found = found.map_err(|error| (row, error))?;
             let values = found.as_ref().map_or([f64::NAN; 6], ground_values);
             numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));
             lanes.push(found.as_ref().map_or(NONE_ID, |ground| id(content, ground.lane.row())));
@@ -89,7 +91,12 @@ pub(crate) fn filter(
             })
         })
     })?;
-    Ok(MarkFilter { radius, kinds, types: types.map_or(Ok(LaneTypes::ALL), types_of)? })
+    Ok(MarkFilter {
+        radius,
+        kinds,
+        types: types.map_or(Ok(LaneTypes::ALL), types_of)?,
+        ..MarkFilter::default()
+    })
 }
 
 fn mark_values(mark: &NearMark) -> [f64; 5] {

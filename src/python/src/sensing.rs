@@ -3,16 +3,17 @@
 use crate::batch::{answer, columns, fields, in_row, result};
 use crate::errors::query;
 use crate::held::{Held, content, id};
-use crate::input::{Rows, column, one_point};
+use crate::input::{NONE_ID, Rows, column, one_point};
 use crate::object::Object;
 use crate::room::{Column, Room};
 use crate::signal::Signal;
-use mapd_client::Region;
 use mapd_client::glam::DVec2;
 use mapd_client::localisation::{
-    GroundScratch, Landmark, LandmarkSource, MarkFilter, MarkPoint, Sensor, Stance, VehiclePose,
+    GroundScratch, Landmark, LandmarkSource, MarkFilter, MarkPoint, MarkSource, Sensor, Stance,
+    VehiclePose,
 };
 use mapd_client::vocabulary::ClassSet;
+use mapd_client::{LaneId, Region};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -75,7 +76,7 @@ pub(crate) fn landmarks_in_view<'py>(
     found.iter().map(one).collect()
 }
 
-/// Points along the paint in a rectangle.
+/// Points along paint and kerbs in a rectangle.
 pub(crate) fn mark_points<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
@@ -91,6 +92,15 @@ pub(crate) fn mark_points<'py>(
         })
         .map_err(query)?;
     let content = content(map);
+    let lane = |one: &MarkPoint| match one.source {
+        MarkSource::Lane(lane) => Some(lane),
+        MarkSource::Line(_) | MarkSource::Outline(_) => None,
+    };
+    let place = |one: &MarkPoint| match one.source {
+        MarkSource::Lane(_) => None,
+        MarkSource::Line(place) | MarkSource::Outline(place) => Some(place),
+    };
+    let copy = |one: &MarkPoint| place(one).and_then(|place| place.copy);
     let numbers = |of: fn(&MarkPoint) -> f64| Column::Numbers(found.iter().map(of).collect());
     let codes =
         |of: fn(&MarkPoint) -> u8| Column::Codes(found.iter().map(|one| of(one) as i8).collect());
@@ -98,11 +108,26 @@ pub(crate) fn mark_points<'py>(
         numbers(|one| one.position.x),
         numbers(|one| one.position.y),
         numbers(|one| one.position.z),
-        Column::Ids(found.iter().map(|one| id(content, one.lane.row())).collect()),
+        Column::Ids(
+            found
+                .iter()
+                .map(|one| lane(one).map_or(NONE_ID, |lane| id(content, lane.row())))
+                .collect(),
+        ),
         numbers(|one| one.s),
         numbers(|one| one.width),
         codes(|one| one.kind.code()),
         codes(|one| one.color.code()),
+        Column::Ids(
+            found
+                .iter()
+                .map(|one| place(one).map_or(NONE_ID, |at| id(content, at.object.row())))
+                .collect(),
+        ),
+        Column::Counts(found.iter().map(|one| copy(one).map_or(-1, i64::from)).collect()),
+        Column::Codes(
+            found.iter().map(|one| matches!(one.source, MarkSource::Outline(_)).into()).collect(),
+        ),
     ];
     columns(py, "MarkPoints", all)
 }
@@ -132,13 +157,14 @@ pub(crate) fn stance<'py>(
     points: &Bound<'py, PyAny>,
     heading: &Bound<'py, PyAny>,
     wheels: &Bound<'py, PyAny>,
+    expected: &[LaneId],
     out: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Option<Bound<'py, PyAny>>> {
     let (map, wheels) = (held.map(), wheels_of(wheels)?);
     if let Some(position) = one_point(points, "points")? {
         let pose = VehiclePose { position, heading: heading.extract()? };
-        let Some(own) = map.stance(&pose, &wheels, &mut GroundScratch::default()).map_err(query)?
-        else {
+        let found = map.stance(&pose, &wheels, expected, &mut GroundScratch::default());
+        let Some(own) = found.map_err(query)? else {
             return Ok(None);
         };
         let wheels = PyTuple::new(py, own.wheels)?;
@@ -152,7 +178,7 @@ pub(crate) fn stance<'py>(
         let mut numbers: [Vec<f64>; 7] = room.numbers(points.len());
         for (row, position) in points.points().enumerate() {
             let pose = VehiclePose { position, heading: headings[row] };
-            let found = map.stance(&pose, &wheels, &mut room.ground);
+            let found = map.stance(&pose, &wheels, expected, &mut room.ground);
             let found = found.map_err(|error| (row, in_row(error).1))?;
             let values = values(found.as_ref());
             numbers.iter_mut().zip(values).for_each(|(column, value)| column.push(value));

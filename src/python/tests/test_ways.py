@@ -274,7 +274,9 @@ def test_paint(asked: Asked) -> None:
         found = asked.map.mark_points((x_min, y_min, x_max, y_max), spacing)
         answer = [len(found)]
         for row in range(len(found)):
-            answer += [*(bits(found[name][row]) for name in "xyz"), int(found.lane[row])]
+            lane, owner = (NOTHING if found[name][row] == 2**64 - 1 else int(found[name][row]) for name in ("lane", "object"))
+            copy = NOTHING if found["copy"][row] < 0 else int(found["copy"][row])
+            answer += [*(bits(found[name][row]) for name in "xyz"), lane, owner, copy, int(found.outline[row])]
             answer += [bits(found.s[row]), bits(found.width[row]), int(found.kind[row]) & 0xFF, int(found.color[row]) & 0xFF]
         assert answer == question.answer
 

@@ -34,7 +34,7 @@ pub mod junctions {
 pub mod localisation {
     pub use crate::ground::{Ground, GroundScratch, Stance};
     pub use crate::landmark::{Landmark, LandmarkInView, LandmarkSource, Sensor};
-    pub use crate::marks::{MarkFilter, MarkKinds, MarkPoint, NearMark, Side};
+    pub use crate::marks::{MarkFilter, MarkKinds, MarkPoint, MarkSource, NearMark, Side};
     pub use crate::matching::{
         LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, TracePosition,
         TraceScratch, Tracked, Tracker, TrackerFix, TrackerOptions, VehiclePose,

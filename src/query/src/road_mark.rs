@@ -4,6 +4,7 @@ use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
+use crate::marks::MarkKinds;
 use crate::nearest::LaneTypes;
 use crate::profile::{self, At};
 use crate::region::{BoundarySegment, Region};
@@ -200,6 +201,15 @@ impl<'a> Lane<'a> {
             let s_end = rows.get(i + 1).map_or(end, |next| s_of(next).min(end));
             let style = map.tables().road_mark_styles.get(row.style() as usize)?;
             (s < s_end).then_some(RoadMark { map, lane, style, s, s_end, written_s })
+        })
+    }
+
+    /// Whether one of the lane's road marks, wherever it holds, is of one of these kinds; the kind `none` never counts.
+    pub(crate) fn has_mark_of(&self, kinds: MarkKinds) -> bool {
+        let styles = self.map.tables().road_mark_styles;
+        rows_of(self.map, self.row.first_mark()).iter().any(|row| {
+            let kind = styles.get(row.style() as usize).map(|s| RoadMarkKind::from_code(s.kind()));
+            kind.is_some_and(|kind| kind != RoadMarkKind::None && kinds.contains(kind))
         })
     }
 

@@ -35,11 +35,11 @@ fn lists_of_places_do_not_allocate_after_the_first_call() {
     let wheels = [[2.7, 0.8], [2.7, -0.8], [0.0, 0.8], [0.0, -0.8]].map(DVec2::from);
     let sensor = Sensor { position: DVec2::ZERO, heading: 0.5, range: 200.0, field_of_view: 6.2 };
     let round = || {
-        map.ground_below(&points, &mut ground, &mut grounds).expect("heights");
+        map.ground_below(&points, &[], &mut ground, &mut grounds).expect("heights");
         let mut stands = 0;
         for position in &points {
             let pose = VehiclePose { position: *position, heading: 0.3 };
-            let stance = map.stance(&pose, &wheels, &mut ground).expect("an answer");
+            let stance = map.stance(&pose, &wheels, &[], &mut ground).expect("an answer");
             stands += usize::from(stance.is_some());
         }
         let filter = MarkFilter::default();

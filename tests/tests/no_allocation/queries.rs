@@ -143,7 +143,9 @@ fn queries_do_not_allocate() {
             let (pose, spread) = (VehiclePose { position, heading: 0.3 }, DMat3::IDENTITY);
             let none = map.match_pose(&pose, &spread, &MatchOptions::default(), &mut matches);
             seen += matches.len() + usize::from(none.expect("an answer") > 0.5);
-            seen += usize::from(map.ground_at(position, &mut ground).expect("an answer").is_some());
+            seen += usize::from(
+                map.ground_at(position, &[], &mut ground).expect("an answer").is_some(),
+            );
             let mark = map.nearest_mark(position.xy, &MarkFilter::default()).expect("an answer");
             seen += usize::from(mark.is_some());
         }

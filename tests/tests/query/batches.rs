@@ -116,11 +116,11 @@ fn poses_roads_ground_and_marks_answer_as_single_calls() {
     }
     let heights: Vec<Point> = points.iter().map(|point| (*point).into()).collect();
     let (mut room, mut ground) = (GroundScratch::default(), Vec::new());
-    map.ground_below(&heights, &mut room, &mut ground).expect("answers");
+    map.ground_below(&heights, &[], &mut room, &mut ground).expect("answers");
     let (filter, mut marks) = (MarkFilter::default(), Vec::new());
     map.nearest_marks(&points, &filter, &mut marks).expect("answers");
     for (i, point) in points.iter().enumerate() {
-        assert_eq!(ground[i], map.ground_at(*point, &mut room).expect("an answer"));
+        assert_eq!(ground[i], map.ground_at(*point, &[], &mut room).expect("an answer"));
         assert_eq!(marks[i], map.nearest_mark(*point, &filter).expect("an answer"));
     }
 }

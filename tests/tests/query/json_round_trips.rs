@@ -378,6 +378,7 @@ fn all_that_can_be_read_is_read_as_it_was_written() {
         MarkFilter,
         MarkKinds,
         MarkPoint,
+        MarkSource,
         MatchOptions<'static>,
         NearMark,
         NearObject,

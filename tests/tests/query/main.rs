@@ -76,6 +76,8 @@ mod overlays_short;
 mod overlays_start;
 // Feeds of work zones: every word that the specification of WZDx 4.2 lists becomes an entry or a finding.
 mod overlays_wzdx;
+// Points along what is painted as an object: worked out by hand, and the same ones by whatever rectangle.
+mod painted_objects;
 // What lies along a path: lanes that reach the goal, speed limits, signals, lines, junctions.
 mod path_ahead;
 // Changes of lane as a curve over a length.

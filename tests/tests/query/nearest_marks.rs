@@ -2,7 +2,7 @@
 
 use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::DVec2;
-use mapd_client::localisation::{MarkFilter, MarkKinds, MarkPoint, Side};
+use mapd_client::localisation::{MarkFilter, MarkKinds, MarkPoint, MarkSource, Side};
 use mapd_client::vocabulary::{RoadMarkColor, RoadMarkKind};
 use mapd_client::{Map, QueryError, Region, Track};
 use mapd_tests::carried;
@@ -86,8 +86,12 @@ fn check_places(map: Map<'_>, questions: usize) -> usize {
                 assert!(off <= 1e-9, "{point}: {found:?}, not {expected}");
                 assert!((found.place.distance(point) - found.distance).abs() < 1e-9);
                 let lane = map.lane(found.lane).expect("a lane");
-                let track = lane.road().to_track(found.place).expect("a place");
-                assert!((track.s - found.s).abs() < 1e-6, "{point}: {found:?}, not {track:?}");
+                // The place lies beside the reference line at the s that is told.
+                let line = lane.road().to_inertial(Track { s: found.s, t: 0.0, h: 0.0 });
+                let line = line.expect("a place");
+                let ahead = DVec2::from_angle(line.heading);
+                let off = (found.place - line.position.truncate()).dot(ahead);
+                assert!(off.abs() < 1e-6, "{point}: {found:?} is {off} m off");
             }
             None => assert!(expected > filter.radius - 1e-9, "{point}: none, not {expected}"),
         }
@@ -110,10 +114,53 @@ fn bent() -> String {
     road.replace(width, &width.replace("</lane>", &mark))
 }
 
+/// Arcs from nearly straight to tight ones in either direction, on a bank, with a lane that grows evenly on the line between them, and lines of marks beside the borders.
+fn round() -> String {
+    let (mut geometry, mut s) = (String::new(), 0.0);
+    let (mut x, mut y, mut heading) = (10.0f64, 20.0f64, 0.3f64);
+    for (length, curvature) in
+        [(20.0f64, 1e-9f64), (25.0, 0.0), (20.0, 0.02), (15.0, -0.15), (30.0, -1e-5), (20.0, 0.13)]
+    {
+        let shape = match curvature {
+            0.0 => "<line/>".to_owned(),
+            _ => format!(r#"<arc curvature="{curvature:?}"/>"#),
+        };
+        geometry += &format!(
+            r#"<geometry s="{s:?}" x="{x:?}" y="{y:?}" hdg="{heading:?}" length="{length:?}">{shape}</geometry>"#
+        );
+        let half = 0.5 * curvature * length;
+        let chord = if half == 0.0 { length } else { length * half.sin() / half };
+        (x, y) = (x + chord * (heading + half).cos(), y + chord * (heading + half).sin());
+        (s, heading) = (s + length, heading + 2.0 * half);
+    }
+    let mark = |lines: &str| {
+        format!(
+            r#"<roadMark sOffset="0" type="custom" color="white"><type name="" width="0.1">{lines}</type></roadMark>"#
+        )
+    };
+    let beside = mark(
+        r#"<line length="3" space="6" tOffset="0.15" sOffset="0"/><line length="3" space="6" tOffset="-0.15" sOffset="1"/>"#,
+    );
+    let lane = |id: i32, mark: &str| {
+        format!(
+            r#"<lane id="{id}" type="driving" level="false"><width sOffset="0" a="3.5" b="0" c="0" d="0"/><width sOffset="22" a="3.5" b="0.05" c="0" d="0"/><width sOffset="42" a="4.5" b="0" c="0" d="0"/>{mark}</lane>"#
+        )
+    };
+    let solid = r#"<roadMark sOffset="0" type="solid" color="white"/>"#;
+    format!(
+        r#"<OpenDRIVE><header revMajor="1" revMinor="7"/><road id="1" length="{s:?}" junction="-1"><planView>{geometry}</planView>
+<lateralProfile><superelevation s="0" a="0.05" b="0" c="0" d="0"/></lateralProfile>
+<lanes><laneSection s="0"><left>{}</left><center><lane id="0" type="none" level="false">{beside}</lane></center><right>{}{}</right></laneSection></lanes></road></OpenDRIVE>"#,
+        lane(1, solid),
+        lane(-1, &beside),
+        lane(-2, solid),
+    )
+}
+
 #[test]
 fn no_place_of_a_mark_is_nearer() {
     let straight = std::fs::read_to_string(carried("marks.xodr")).expect("the map can be read");
-    for text in [straight, bent()] {
+    for text in [straight, bent(), round()] {
         assert!(check_places(maps::open_text(&text).map(), 300) > 150);
     }
 }
@@ -207,12 +254,29 @@ fn points_of_marks_are_every_painted_place_once() {
         let near = near.expect("a mark");
         assert!(near.distance < 1e-6 && near.painted != Some(false), "{point:?}: {near:?}");
     }
+    // The nearest mark is no farther than the nearest of them, and by no more nearer than they are apart; gaps have none.
+    let (mut asked, mut questions) = (0, Random(29));
+    for _ in 0..300 {
+        let point = questions.point(map);
+        let distance = |one: &MarkPoint| one.position.truncate().distance(point);
+        let least = all.iter().map(distance).fold(f64::INFINITY, f64::min);
+        let near = map.nearest_mark(point, &filter).expect("an answer");
+        let Some(near) = near.filter(|near| near.painted == Some(true)) else { continue };
+        assert!(
+            near.distance <= least + 1e-9 && near.distance >= least - 0.26,
+            "{point}: {near:?}"
+        );
+        asked += 1;
+    }
+    assert!(asked > 50, "{asked}");
     // A solid line has its length over the spacing; of the broken one a third is painted.
-    let lane = map.lane_by_key(&"1:0:1".parse().expect("a key")).expect("a lane").lane_id();
-    let solid = all.iter().filter(|point| point.lane == lane && point.s < 40.0).count();
+    let lane = map.lane_by_key(&"1:0:1".parse().expect("a key")).expect("a lane");
+    let lane = MarkSource::Lane(lane.lane_id());
+    let solid = all.iter().filter(|point| point.source == lane && point.s < 40.0).count();
     assert_eq!(solid, 160);
-    let lane = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane").lane_id();
-    let broken = all.iter().filter(|p| p.lane == lane && (30.0..39.0).contains(&p.s)).count();
+    let lane = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
+    let lane = MarkSource::Lane(lane.lane_id());
+    let broken = all.iter().filter(|p| p.source == lane && (30.0..39.0).contains(&p.s)).count();
     assert!((12..=15).contains(&broken), "{broken}");
     for _ in 0..50 {
         let low = random.point(map);

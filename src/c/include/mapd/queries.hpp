@@ -95,8 +95,8 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   }
 
   /// The ground at a place, on the level whose height is nearest to the point's z.
-  Result<std::optional<Ground>> try_ground_at(Point point, Scratch& scratch) const {
-    return detail::optional<Ground>([&](auto... out) { return mapd_ground_at(get(), point, scratch.get(), out...); });
+  Result<std::optional<Ground>> try_ground_at(Point point, Scratch& scratch, span<const LaneId> expected = {}) const {
+    return detail::optional<Ground>([&](auto... out) { return mapd_ground_at(get(), point, expected.data(), expected.size(), scratch.get(), out...); });
   }
 
   /// The road mark that is nearest to a point.
@@ -125,8 +125,8 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   }
 
   /// How a vehicle stands on the ground below its four wheels.
-  Result<std::optional<Stance>> try_stance_at(const VehiclePose& pose, const std::array<Vec2, 4>& wheels, Scratch& scratch) const {
-    return detail::optional<Stance>([&](auto... out) { return mapd_stance_at(get(), pose, wheels.data(), scratch.get(), out...); });
+  Result<std::optional<Stance>> try_stance_at(const VehiclePose& pose, const std::array<Vec2, 4>& wheels, Scratch& scratch, span<const LaneId> expected = {}) const {
+    return detail::optional<Stance>([&](auto... out) { return mapd_stance_at(get(), pose, wheels.data(), expected.data(), expected.size(), scratch.get(), out...); });
   }
 
   /// Parts of the document that are left out near a point.
@@ -168,13 +168,13 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::optional<Nearest> nearest_lane(Point point, const NearestOptions& options = {}) const { return try_nearest_lane(point, options).value(); }
   std::vector<Nearest> lanes_near(Point point, Scratch& scratch, const NearestOptions& options = {}) const { return try_lanes_near(point, scratch, options).value(); }
   std::vector<LaneId> lanes_in(Region region, std::uint64_t types, Scratch& scratch) const { return try_lanes_in(region, types, scratch).value(); }
-  std::optional<Ground> ground_at(Point point, Scratch& scratch) const { return try_ground_at(point, scratch).value(); }
+  std::optional<Ground> ground_at(Point point, Scratch& scratch, span<const LaneId> expected = {}) const { return try_ground_at(point, scratch, expected).value(); }
   std::optional<NearMark> nearest_mark(Vec2 point, const MarkFilter& filter = {}) const { return try_nearest_mark(point, filter).value(); }
   std::vector<Landmark> landmarks_near(Vec2 point, double radius, const ClassSet* classes, Scratch& scratch) const { return try_landmarks_near(point, radius, classes, scratch).value(); }
   std::vector<Landmark> landmarks_in(Region region, const ClassSet* classes, Scratch& scratch) const { return try_landmarks_in(region, classes, scratch).value(); }
   std::vector<LandmarkInView> landmarks_in_view(const Sensor& sensor, const ClassSet* classes, Scratch& scratch) const { return try_landmarks_in_view(sensor, classes, scratch).value(); }
   std::vector<MarkPoint> mark_points(Region region, double spacing, Scratch& scratch, const MarkFilter& filter = {}) const { return try_mark_points(region, spacing, scratch, filter).value(); }
-  std::optional<Stance> stance_at(const VehiclePose& pose, const std::array<Vec2, 4>& wheels, Scratch& scratch) const { return try_stance_at(pose, wheels, scratch).value(); }
+  std::optional<Stance> stance_at(const VehiclePose& pose, const std::array<Vec2, 4>& wheels, Scratch& scratch, span<const LaneId> expected = {}) const { return try_stance_at(pose, wheels, scratch, expected).value(); }
   std::vector<Quarantined> quarantined_near(Vec2 point, double radius) const { return try_quarantined_near(point, radius).value(); }
   std::vector<NearSignal> signals_near(Vec2 point, double radius, Scratch& scratch) const { return try_signals_near(point, radius, scratch).value(); }
   std::vector<SignalId> signals_in(Region region, Scratch& scratch) const { return try_signals_in(region, scratch).value(); }

@@ -4,8 +4,8 @@
 void ground(const uint64_t *q, struct numbers *out) {
   mapd_ground at, batch;
   const mapd_point point = point_of(q);
-  const int found = is(mapd_ground_at(map, point, scratch, &at, &error));
-  must(mapd_ground_at_batch(map, &point, 1, scratch, &batch, &error));
+  const int found = is(mapd_ground_at(map, point, NULL, 0, scratch, &at, &error));
+  must(mapd_ground_at_batch(map, &point, 1, NULL, 0, scratch, &batch, &error));
   if ((batch.lane.row != MAPD_NO_ROW) != found) abort();
   add_u(out, (uint64_t)found);
   if (!found) return;

@@ -317,7 +317,10 @@ class Answerer {
     const mapd::Vec2 low = q.xy(), high = q.xy();
     const auto all = map_.mark_points({low, high}, q.f(), scratch_);
     a.u(all.size());
-    for (const auto& one : all) a.v(one.position).id(one.lane).all(one.s, one.width).u(one.kind).u(one.color);
+    for (const auto& one : all) {
+      a.v(one.position).id(one.lane).id(one.place.object).u(one.place.copy).u(one.is_outline);
+      a.all(one.s, one.width).u(one.kind).u(one.color);
+    }
   }
   void nodes(const std::vector<mapd::Reached>& all, Numbers& a) {
     a.u(all.size());

@@ -37,7 +37,7 @@ void stance(const uint64_t *q, struct numbers *out) {
   const mapd_vehicle_pose pose = {{as_f(q[0]), as_f(q[1]), as_f(q[2]), 1}, as_f(q[3])};
   const mapd_vec2 wheels[] = {{2.0, 0.8}, {2.0, -0.8}, {-1.0, 0.8}, {-1.0, -0.8}};
   mapd_stance own;
-  const int found = is(mapd_stance_at(map, pose, wheels, scratch, &own, &error));
+  const int found = is(mapd_stance_at(map, pose, wheels, NULL, 0, scratch, &own, &error));
   add_u(out, (uint64_t)found);
   if (!found) return;
   add_f(out, own.z);
@@ -74,6 +74,9 @@ void paint(const uint64_t *q, struct numbers *out) {
   for (size_t i = 0; i < count; ++i) {
     add_v(out, all[i].position);
     add_u(out, lane_bits(all[i].lane));
+    add_u(out, object_bits(all[i].place.object));
+    add_u(out, all[i].place.copy);
+    add_u(out, all[i].is_outline);
     add_f(out, all[i].s);
     add_f(out, all[i].width);
     add_u(out, all[i].kind);

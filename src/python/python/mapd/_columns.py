@@ -536,7 +536,10 @@ class Stances(Columns):
 
 
 class MarkPoints(Columns):
-    """Painted places of road marks [m], the lane on whose outer border each lies, its s and the line's width [m]; kind and color are codes."""
+    """Painted places [m] of marks on a lane's outer border, or of objects (`object`, its `copy` or −1), on their lines or, with `outline` 1, around what is painted as a whole.
+
+    `s` and the line's width are in [m]; kind and color are codes.
+    """
 
     __slots__ = ()
     x: Numbers
@@ -547,3 +550,6 @@ class MarkPoints(Columns):
     width: Numbers
     kind: Codes
     color: Codes
+    object: Ids
+    copy: Counts
+    outline: Codes

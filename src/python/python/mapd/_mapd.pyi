@@ -361,10 +361,10 @@ class Map:
     ) -> SpeedRules:
         """Speed limits on lanes at s [m], signs included."""
     @overload
-    def ground_at(self, points: _Point) -> Ground | None: ...
+    def ground_at(self, points: _Point, *, expected: Sequence[_LaneRef] | None = None) -> Ground | None: ...
     @overload
-    def ground_at(self, points: _Points, *, out: Grounds | None = None) -> Grounds:
-        """The surface below points [m], on the level whose height is nearest to z; on the lowest one of points without z.
+    def ground_at(self, points: _Points, *, expected: Sequence[_LaneRef] | None = None, out: Grounds | None = None) -> Grounds:
+        """The surface below points [m], on the level whose height is nearest to z; on the lowest one of points without z, with `expected` on the lowest that has one of these lanes.
 
         Heights more than 2 m apart are levels of their own. Nothing beside all lanes.
         """
@@ -564,11 +564,19 @@ class Map:
         Signals are seen from the front only, and nothing hides anything.
         """
     def mark_points(
-        self, region: _Region, spacing: float, *, kinds: Sequence[str] | None = None, types: _Types | None = None
+        self,
+        region: _Region,
+        spacing: float,
+        *,
+        kinds: Sequence[str] | None = None,
+        types: _Types | None = None,
+        objects: bool = True,
     ) -> MarkPoints:
-        """Painted places of road marks in a rectangle, at every multiple of `spacing` [m] of their road's s; gaps have none."""
+        """Painted places of road marks and, with `objects`, of painted objects in a rectangle, at every multiple of `spacing` [m] along each; gaps have none."""
     @overload
-    def stance(self, points: _Point, heading: float, wheels: NDArray[np.float64]) -> Stance | None: ...
+    def stance(
+        self, points: _Point, heading: float, wheels: NDArray[np.float64], *, expected: Sequence[_LaneRef] | None = None
+    ) -> Stance | None: ...
     @overload
     def stance(
         self,
@@ -576,9 +584,10 @@ class Map:
         heading: float | NDArray[np.float64],
         wheels: NDArray[np.float64],
         *,
+        expected: Sequence[_LaneRef] | None = None,
         out: Stances | None = None,
     ) -> Stances:
-        """How vehicles stand on the ground below their wheels: places (4, 2) ahead of and to the left of the reference point [m]. `heading` [rad]; z [m] tells levels apart.
+        """How vehicles stand on the ground below their wheels: places (4, 2) ahead of and to the left of the reference point [m]. `heading` [rad]; z [m] tells levels apart, or `expected` lanes.
 
         Nothing with ground below fewer than three wheels.
         """

@@ -8,22 +8,24 @@ use crate::object::Object;
 use crate::signal::Signal;
 use mapd_client::LaneTypes;
 use mapd_client::glam::DVec2;
-use mapd_client::localisation::Sensor;
+use mapd_client::localisation::{MarkFilter, Sensor};
 use pyo3::prelude::*;
 
 #[pymethods]
 impl Map {
-    /// The surface below points [m], on the level whose height is nearest to z; on the lowest one of points without z.
+    /// The surface below points [m], on the level whose height is nearest to z; on the lowest one of points without z, with `expected` on the lowest that has one of these lanes.
     ///
     /// Heights more than 2 m apart are levels of their own. Nothing beside all lanes.
-    #[pyo3(signature = (points, *, out = None))]
+    #[pyo3(signature = (points, *, expected = None, out = None))]
     fn ground_at<'py>(
         &self,
         py: Python<'py>,
         points: &Bound<'py, PyAny>,
+        expected: Option<Vec<Bound<'py, PyAny>>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Option<Bound<'py, PyAny>>> {
-        crate::ground::ground_at(py, &self.0, points, out)
+        let expected = crate::input::lanes_of(self.map(), expected.as_deref())?;
+        crate::ground::ground_at(py, &self.0, points, &expected, out)
     }
 
     /// The nearest road mark on its exact course, at most `radius` [m] away; lines count along their whole length, gaps included.
@@ -123,8 +125,8 @@ impl Map {
         crate::sensing::landmarks_in_view(py, &self.0, &sensor)
     }
 
-    /// Painted places of road marks in a rectangle, at every multiple of `spacing` [m] of their road's s; gaps have none.
-    #[pyo3(signature = (region, spacing, *, kinds = None, types = None))]
+    /// Painted places of road marks and, with `objects`, of painted objects in a rectangle, at every multiple of `spacing` [m] along each; gaps have none.
+    #[pyo3(signature = (region, spacing, *, kinds = None, types = None, objects = true))]
     fn mark_points<'py>(
         &self,
         py: Python<'py>,
@@ -132,23 +134,26 @@ impl Map {
         spacing: f64,
         kinds: Option<Vec<String>>,
         types: Option<&Bound<'py, PyAny>>,
+        objects: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let filter = crate::ground::filter(0.0, kinds, types)?;
+        let filter = MarkFilter { objects, ..crate::ground::filter(0.0, kinds, types)? };
         crate::sensing::mark_points(py, &self.0, region_of(region), spacing, &filter)
     }
 
-    /// How vehicles stand on the ground below their wheels: places (4, 2) ahead of and to the left of the reference point [m]. `heading` [rad]; z [m] tells levels apart.
+    /// How vehicles stand on the ground below their wheels: places (4, 2) ahead of and to the left of the reference point [m]. `heading` [rad]; z [m] tells levels apart, or `expected` lanes.
     ///
     /// Nothing with ground below fewer than three wheels.
-    #[pyo3(signature = (points, heading, wheels, *, out = None))]
+    #[pyo3(signature = (points, heading, wheels, *, expected = None, out = None))]
     fn stance<'py>(
         &self,
         py: Python<'py>,
         points: &Bound<'py, PyAny>,
         heading: &Bound<'py, PyAny>,
         wheels: &Bound<'py, PyAny>,
+        expected: Option<Vec<Bound<'py, PyAny>>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Option<Bound<'py, PyAny>>> {
-        crate::sensing::stance(py, &self.0, points, heading, wheels, out)
+        let expected = crate::input::lanes_of(self.map(), expected.as_deref())?;
+        crate::sensing::stance(py, &self.0, points, heading, wheels, &expected, out)
     }
 }

@@ -54,9 +54,10 @@ impl GroundScratch {
 }
 
 impl<'a> Map<'a> {
-    /// The ground at a place, on the level whose height is nearest to the point's z; on the lowest one of a point without z. `None` beside all lanes. Of
-    /// several lanes of a level (they overlap in junctions) it is that of the one in whose middle the place lies most, then
-    /// by key, as [`Map::nearest_lane`] has it.
+    /// The ground at a place, on the level whose height is nearest to the point's z. A point without z is on the lowest level with an expected lane, such as the one
+    /// that the vehicle was in and those that it can reach from there ([`Map::reachable`]); with none of them, on the lowest one. `None` beside all
+    /// lanes. Of several lanes of a level (they overlap in junctions) it is that of an expected one, then of the one in whose middle the place lies
+    /// most, then by key, as [`Map::nearest_lane`] has it.
     ///
     /// Heights that are more than 2 m apart are levels of their own, as those of a bridge and the road below it.
     ///
@@ -64,6 +65,7 @@ impl<'a> Map<'a> {
     pub fn ground_at(
         &self,
         point: impl Into<Point>,
+        expected: &[LaneId],
         scratch: &mut GroundScratch,
     ) -> Result<Option<Ground<'a>>, QueryError> {
         let point = point.into();
@@ -80,12 +82,19 @@ impl<'a> Map<'a> {
         heights.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let ends_below = |i: usize| i == 0 || heights[i].0 - heights[i - 1].0 > LEVEL_GAP;
         let levels = (0..heights.len()).filter(|i| ends_below(*i)).count() as u32;
-        let Some(nearest) = nearest_height(heights, point.z) else { return Ok(None) };
+        let is_expected =
+            |i: usize| near.get(i).is_some_and(|found| expected.contains(&found.lane));
+        let nearest = match point.z {
+            Some(z) => nearest_height(heights, z),
+            None => heights.iter().position(|(_, i)| is_expected(*i)).or(Some(0)),
+        };
+        let Some(nearest) = nearest else { return Ok(None) };
         let first = (0..=nearest).rev().find(|i| ends_below(*i)).unwrap_or(0);
         let level = (1..=first).filter(|i| ends_below(*i)).count() as u32;
         let after = (first + 1..heights.len()).find(|i| ends_below(*i)).unwrap_or(heights.len());
         // Lanes near a point come in the order that is preferred.
-        let best = heights.get(first..after).and_then(|of| of.iter().map(|(_, i)| *i).min());
+        let level_lanes = heights.get(first..after).unwrap_or_default().iter().map(|(_, i)| *i);
+        let best = level_lanes.min_by_key(|i| (!is_expected(*i), *i));
         let Some(found) = best.and_then(|i| near.get(i)) else { return Ok(None) };
         Ok(Some(Ground { level, levels, ..self.ground_of(found, point)? }))
     }
@@ -96,12 +105,13 @@ impl<'a> Map<'a> {
     pub fn ground_below(
         &self,
         points: &[Point],
+        expected: &[LaneId],
         scratch: &mut GroundScratch,
         out: &mut Vec<Option<Ground<'a>>>,
     ) -> Result<(), QueryError> {
         out.clear();
         for (i, point) in points.iter().enumerate() {
-            let ground = self.ground_at(*point, scratch).map_err(|error| error.at(i))?;
+            let ground = self.ground_at(*point, expected, scratch).map_err(|error| error.at(i))?;
             out.push(ground);
         }
         Ok(())
@@ -131,12 +141,8 @@ impl<'a> Map<'a> {
     }
 }
 
-/// The place of the height that is nearest to z, of equal ones the lower; the lowest one where there is no z.
-fn nearest_height(heights: &[(f64, usize)], z: Option<f64>) -> Option<usize> {
-    let z = match z {
-        Some(z) => z,
-        None => return (!heights.is_empty()).then_some(0),
-    };
+/// The place of the height that is nearest to z, of equal ones the lower.
+fn nearest_height(heights: &[(f64, usize)], z: f64) -> Option<usize> {
     let away = |i: &usize| (heights[*i].0 - z).abs();
     (0..heights.len()).min_by(|a, b| away(a).total_cmp(&away(b)))
 }

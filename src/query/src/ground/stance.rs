@@ -2,6 +2,7 @@
 
 use super::GroundScratch;
 use crate::error::QueryError;
+use crate::ids::LaneId;
 use crate::map::Map;
 use crate::matching::VehiclePose;
 use crate::types::Point;
@@ -29,7 +30,7 @@ pub struct Stance {
 
 impl Map<'_> {
     /// How a vehicle stands at a pose: the plane through the ground below its wheels, nearest to all four (least squares). `wheels` are the places where they touch the
-    /// ground, from the reference point ahead (x) and to the left (y) `[m]`; the pose's z, if known, decides on which level. Pitch and roll follow heading, in
+    /// ground, from the reference point ahead (x) and to the left (y) `[m]`; the pose's z, if known, decides on which level, then the expected lanes, as in [`Map::ground_at`]. Pitch and roll follow heading, in
     /// this order. Wheels count where they are in plan view on level ground: on a slope of 10 % that is 0.5 % off. `None` with ground below fewer than three
     /// wheels, or wheels in a line.
     ///
@@ -38,6 +39,7 @@ impl Map<'_> {
         &self,
         pose: &VehiclePose,
         wheels: &[DVec2; 4],
+        expected: &[LaneId],
         scratch: &mut GroundScratch,
     ) -> Result<Option<Stance>, QueryError> {
         let Point { xy, z } = pose.position;
@@ -48,7 +50,7 @@ impl Map<'_> {
         let mut heights = [None; 4];
         for (i, wheel) in wheels.iter().enumerate() {
             let point = Point { xy: xy + DVec2::new(cos, sin).rotate(*wheel), z };
-            let ground = self.ground_at(point, scratch).map_err(|error| error.at(i))?;
+            let ground = self.ground_at(point, expected, scratch).map_err(|error| error.at(i))?;
             heights[i] = ground.map(|ground| ground.z);
         }
         Ok(stance(wheels, heights))

@@ -1,7 +1,7 @@
 //! The course of one line of a road mark within a stretch of a lane, and its place that is nearest to a point.
 
 use super::form::{Form, Round, Straight};
-use super::{MarkFilter, MarkPoint, NearMark, Side};
+use super::{MarkFilter, MarkPoint, MarkSource, NearMark, Side};
 use crate::area::Slab;
 use crate::ids::LaneId;
 use crate::lane::Lane;
@@ -114,8 +114,8 @@ impl<'m> Course<'m> {
 
     pub(super) fn mark_point(&self, s: f64, position: DVec3) -> MarkPoint {
         let (color, width) = self.look();
-        let (lane, kind) = (self.owner.lane_id(), self.mark.kind());
-        MarkPoint { position, lane, s, kind, color, width }
+        let source = MarkSource::Lane(self.lane());
+        MarkPoint { position, source, s, kind: self.mark.kind(), color, width }
     }
 
     /// Colour and width: the line's own, or the mark's.
@@ -175,9 +175,10 @@ impl<'m> Course<'m> {
             return None;
         }
         let end = piece.curve.tangent(to - piece.s);
-        let last = DVec2::new(-end.sin, end.cos);
-        let center = DVec2::new(start.x, start.y) + normal / curvature;
-        Round::new(center, [normal, last], curvature, t.value * roll, [from, to]).map(Form::Round)
+        let tangents = [tangent, DVec2::new(end.cos, end.sin)];
+        let offset = t.value * roll;
+        let last = DVec2::new(end.x, end.y) + tangents[1].perp() * offset;
+        Round::new([first, last], tangents, curvature, offset, [from, to]).map(Form::Round)
     }
 
     /// The nearest place, by looking: the best of several is narrowed down between its neighbours.

@@ -4,9 +4,7 @@ use super::course::CoursePoint;
 use glam::DVec2;
 use std::f64::consts::PI;
 
-/// Curvature `[1/m]` below which an arc is not told from a line: its centre is so far away that distances from it lose digits.
-const LEAST_CURVATURE: f64 = 1e-4;
-/// Turn `[rad]` up to which the middle of an arc is nearer to both its ends than what lies opposite.
+/// Turn `[rad]` up to which a point beside neither end is nearest to what lies between them.
 const MOST_TURN: f64 = 0.9 * PI;
 
 /// What a course is made of.
@@ -34,12 +32,13 @@ pub(super) struct Straight {
 #[derive(Clone, Copy)]
 pub(super) struct Round {
     s: [f64; 2],
-    center: DVec2,
-    radius: f64,
-    /// Directions from the centre to both ends.
+    /// Both ends, and the directions of the line there.
     ends: [DVec2; 2],
-    /// Of the reference line.
+    tangents: [DVec2; 2],
+    /// Of the course `[1/m]`, positive to the left.
     curvature: f64,
+    /// Of the reference line.
+    line_curvature: f64,
 }
 
 impl Straight {
@@ -57,36 +56,45 @@ impl Straight {
 }
 
 impl Round {
-    /// The arc at an offset to the left of a reference line around a centre, between two normals of that line. None where that is not a plain arc.
+    /// The arc at an offset to the left of a reference line, from its ends and directions there. None where that is not a plain arc.
     pub(super) fn new(
-        center: DVec2,
-        normals: [DVec2; 2],
-        curvature: f64,
+        ends: [DVec2; 2],
+        tangents: [DVec2; 2],
+        line_curvature: f64,
         offset: f64,
         s: [f64; 2],
     ) -> Option<Self> {
-        let turn = (s[1] - s[0]) * curvature.abs();
-        let radius = curvature.signum() * (1.0 / curvature - offset);
-        // On the other side of the centre, or at it, the ends change places.
-        if !(curvature.abs() >= LEAST_CURVATURE && turn <= MOST_TURN && radius > 0.0) {
-            return None;
-        }
-        let ends = normals.map(|normal| -normal * curvature.signum());
-        Some(Self { s, center, radius, ends, curvature })
+        let turn = (s[1] - s[0]) * line_curvature.abs();
+        // On the other side of the centre it leads the other way.
+        let share = 1.0 - line_curvature * offset;
+        let curvature = line_curvature / share;
+        let is_plain = share > 0.0 && turn <= MOST_TURN && curvature.is_finite();
+        is_plain.then_some(Self { s, ends, tangents, curvature, line_curvature })
     }
 
-    /// The direction from the centre to the nearest place, if that is no end.
+    /// The end that is nearest, if not a place between them is.
     #[inline]
-    fn between(&self, away: DVec2) -> bool {
-        let [first, last] = self.ends;
-        let side = self.curvature.signum();
-        side * first.perp_dot(away) >= 0.0 && side * away.perp_dot(last) >= 0.0
+    fn end(&self, local: DVec2) -> Option<usize> {
+        let [first, last] = self.ends.map(|end| local - end);
+        let is_beside = first.dot(self.tangents[0]) >= 0.0 && last.dot(self.tangents[1]) <= 0.0;
+        let end = usize::from(last.length_squared() < first.length_squared());
+        (!is_beside).then_some(end)
     }
 
+    /// Along the first end's direction and to its left, both from there to the point; then the direction from the centre to the point, and the point's
+    /// distance from that, times the curvature.
     #[inline]
-    fn nearer_end(&self, away: DVec2) -> usize {
-        let [first, last] = self.ends;
-        usize::from(away.dot(last) > away.dot(first))
+    fn from_start(&self, local: DVec2) -> (DVec2, DVec2, f64) {
+        let away = local - self.ends[0];
+        let own = DVec2::new(away.dot(self.tangents[0]), self.tangents[0].perp_dot(away));
+        let turned = DVec2::new(1.0 - self.curvature * own.y, self.curvature * own.x);
+        (own, turned, turned.length())
+    }
+
+    /// How far to the left of the arc a point lies that is beside it: (1 − r) / κ without what cancels as κ falls to 0.
+    #[inline]
+    fn lateral(&self, own: DVec2, radius: f64) -> f64 {
+        (2.0 * own.y - self.curvature * own.length_squared()) / (1.0 + radius)
     }
 }
 
@@ -98,13 +106,13 @@ impl Form {
             Self::Straight(line) => {
                 Some((line.start + line.along * line.gone(local)).distance(local))
             }
-            Self::Round(arc) => {
-                let away = local - arc.center;
-                Some(match arc.between(away) {
-                    true => (away.length() - arc.radius).abs(),
-                    false => (arc.ends[arc.nearer_end(away)] * arc.radius).distance(away),
-                })
-            }
+            Self::Round(arc) => Some(match arc.end(local) {
+                Some(end) => arc.ends[end].distance(local),
+                None => {
+                    let (own, _, radius) = arc.from_start(local);
+                    arc.lateral(own, radius).abs()
+                }
+            }),
             Self::Searched => None,
         }
     }
@@ -118,18 +126,18 @@ impl Form {
                 Some(CoursePoint { s: line.s[0] + gone, place, normal: line.normal })
             }
             Self::Round(arc) => {
-                let away = local - arc.center;
-                let (direction, s) = if arc.between(away) && away != DVec2::ZERO {
-                    let [first, _] = arc.ends;
-                    let turned = libm::atan2(first.perp_dot(away), first.dot(away));
-                    let s = arc.s[0] + turned / arc.curvature;
-                    (away / away.length(), mapd_geometry::clamp(s, arc.s[0], arc.s[1]))
-                } else {
-                    let end = arc.nearer_end(away);
-                    (arc.ends[end], arc.s[end])
-                };
-                let place = arc.center + direction * arc.radius;
-                Some(CoursePoint { s, place, normal: -direction * arc.curvature.signum() })
+                if let Some(end) = arc.end(local) {
+                    let normal = arc.tangents[end].perp();
+                    return Some(CoursePoint { s: arc.s[end], place: arc.ends[end], normal });
+                }
+                let (own, turned, radius) = arc.from_start(local);
+                let turn = libm::atan2(turned.y, turned.x);
+                let s = arc.s[0] + turn / arc.line_curvature;
+                // At the centre every direction is as good.
+                let turned = if radius > 0.0 { turned / radius } else { DVec2::X };
+                let normal = turned.rotate(arc.tangents[0].perp());
+                let place = local - normal * arc.lateral(own, radius);
+                Some(CoursePoint { s: mapd_geometry::clamp(s, arc.s[0], arc.s[1]), place, normal })
             }
             Self::Searched => None,
         }

@@ -1,6 +1,6 @@
 //! The nearest marks to many points: what may be nearest to points near each other is found once for all of them.
 
-use super::search::{Candidate, Search, each_course, shift};
+use super::search::{Candidate, Markless, Search, each_course, shift};
 use super::{MarkFilter, NearMark};
 use crate::batch::curve_key;
 use crate::index;
@@ -88,13 +88,14 @@ impl<'m> Tile<'m> {
         let map = self.map;
         let (mut limit, mut fits) = (filter.radius + around, true);
         let start = round_up(limit + shift);
+        let mut markless = Markless::NONE;
         index::visit(map.tables(), middle, None, start, |leaf, qx, qy, mut bound| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let lower = index::lower_bounds(leaf, qx, qy, None);
             let mut open = index::places_within(&lower, bound);
             while let Some(k) = index::least(&lower, open) {
                 open &= !(1 << k);
-                each_course(map, lanes[k], segments[k], filter, |course| {
+                each_course(map, lanes[k], segments[k], filter, &mut markless, |course| {
                     let candidate = Candidate::new(course);
                     // Of a course that is searched nothing is known for sure: every point asks it.
                     let Some(distance) = candidate.form.distance(middle) else {

@@ -3,10 +3,11 @@
 mod course;
 mod form;
 mod many;
+mod painted;
 mod points;
 mod search;
 
-pub use points::MarkPoint;
+pub use points::{MarkPoint, MarkSource};
 
 use crate::error::QueryError;
 use crate::ids::LaneId;
@@ -70,11 +71,13 @@ pub struct MarkFilter {
     pub kinds: MarkKinds,
     /// Types of lanes whose borders count, on either side. Default all.
     pub types: LaneTypes,
+    /// Whether what is painted as an object counts in [`Map::mark_points`]; the nearest mark is always one on a lane's border. Default true.
+    pub objects: bool,
 }
 
 impl Default for MarkFilter {
     fn default() -> Self {
-        Self { radius: DEFAULT_RADIUS, kinds: MarkKinds::ALL, types: LaneTypes::ALL }
+        Self { radius: DEFAULT_RADIUS, kinds: MarkKinds::ALL, types: LaneTypes::ALL, objects: true }
     }
 }
 

@@ -83,6 +83,7 @@ impl<'m, 'f> Search<'m, 'f> {
     /// Looks everywhere that the filter's radius allows.
     pub(super) fn everywhere(&mut self, local: DVec2) {
         let (map, filter, shift) = (self.map, self.filter, shift(self.map));
+        let mut markless = Markless::NONE;
         let start = round_up(filter.radius + shift);
         index::visit(map.tables(), local, None, start, |leaf, qx, qy, mut bound| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
@@ -90,7 +91,7 @@ impl<'m, 'f> Search<'m, 'f> {
             let mut open = index::places_within(&lower, bound);
             while let Some(k) = index::least(&lower, open) {
                 open &= !(1 << k);
-                each_course(map, lanes[k], segments[k], filter, |course| {
+                each_course(map, lanes[k], segments[k], filter, &mut markless, |course| {
                     self.consider(Candidate::new(course), local);
                 });
                 bound = bound.min(round_up(self.limit() + shift));
@@ -135,22 +136,53 @@ impl<'m, 'f> Search<'m, 'f> {
     }
 }
 
+/// Lanes that are remembered to have no marks that count.
+const REMEMBERED: usize = 8;
+
+/// Lanes that were looked at last and have no marks that count: their other stretches, too, cost nothing.
+pub(super) struct Markless {
+    lanes: [u32; REMEMBERED],
+    next: usize,
+}
+
+impl Markless {
+    pub(super) const NONE: Self = Self { lanes: [NONE; REMEMBERED], next: 0 };
+
+    fn add(&mut self, lane: u32) {
+        if let Some(place) = self.lanes.get_mut(self.next) {
+            *place = lane;
+        }
+        self.next = (self.next + 1) % REMEMBERED;
+    }
+}
+
 /// Visits each course along a stretch of the index.
 #[inline]
 pub(super) fn each_course<'m>(
     map: Map<'m>,
-    lane: u32,
+    row: u32,
     segment: u16,
     filter: &MarkFilter,
+    markless: &mut Markless,
     mut visit: impl FnMut(Course<'m>),
 ) {
-    if lane == NONE {
+    // What stands for no lane is among them at first.
+    if markless.lanes.contains(&row) {
         return;
     }
-    let Some(lane) = Lane::new(map, lane).filter(|l| filter.types.contains(l.kind())) else {
-        return;
-    };
-    let Some(slab) = area::slab(&lane, usize::from(segment)) else { return };
-    let slab: Slab<'m> = slab;
-    each_owner(&lane, filter, |owner| course::along(owner, &slab, filter, &mut visit));
+    let lane = Lane::new(map, row).filter(|lane| filter.types.contains(lane.kind()));
+    let mut slab: Option<Slab<'m>> = None;
+    let mut has_marks = false;
+    if let Some(lane) = lane {
+        each_owner(&lane, filter, |owner| {
+            if owner.has_mark_of(filter.kinds) {
+                has_marks = true;
+                slab = slab.or_else(|| area::slab(&lane, usize::from(segment)));
+                slab.iter().for_each(|slab| course::along(owner, slab, filter, &mut visit));
+            }
+        });
+    }
+    if !has_marks {
+        markless.add(row);
+    }
 }

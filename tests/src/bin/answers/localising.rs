@@ -32,7 +32,7 @@ impl Asker<'_> {
         let point = Point { xy: at, z: (has_z == 1).then_some(z) };
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
         q.f(at.x).f(at.y).f(z).u(has_z);
-        match map.ground_at(point, &mut scratch.ground)? {
+        match map.ground_at(point, &[], &mut scratch.ground)? {
             Some(one) => a
                 .u(1u64)
                 .f(one.z)

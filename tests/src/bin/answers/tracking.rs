@@ -1,10 +1,10 @@
 //! Questions of who drives: the lane from fix to fix, how the vehicle stands, what its sensors see.
 
-use crate::numbers::{NOTHING, Numbers, object_bits, signal_bits};
+use crate::numbers::{NOTHING, Numbers, object_bits, short, signal_bits};
 use crate::{Asker, Result};
 use mapd_client::glam::{DMat3, DVec2};
 use mapd_client::localisation::{
-    GroundScratch, LandmarkSource, MarkFilter, Sensor, Tracked, Tracker, TrackerFix,
+    GroundScratch, LandmarkSource, MarkFilter, MarkSource, Sensor, Tracked, Tracker, TrackerFix,
     TrackerOptions, VehiclePose,
 };
 use mapd_client::vocabulary::ClassSet;
@@ -56,7 +56,7 @@ impl Asker<'_> {
         q.f(at.x).f(at.y).f(on.position.z).f(heading);
         let position = Point { xy: at, z: Some(on.position.z) };
         let pose = VehiclePose { position, heading };
-        match map.stance(&pose, &WHEELS, &mut GroundScratch::default())? {
+        match map.stance(&pose, &WHEELS, &[], &mut GroundScratch::default())? {
             Some(own) => {
                 a.u(1u64).f(own.z).f(own.roll).f(own.pitch);
                 own.wheels.iter().for_each(|wheel| {
@@ -92,8 +92,17 @@ impl Asker<'_> {
         map.mark_points(region, spacing, &MarkFilter::default(), &mut paint)?;
         a.u(paint.len() as u64);
         for one in &paint {
-            a.v(one.position).id(one.lane.to_bits()).f(one.s).f(one.width);
-            a.u(one.kind.code()).u(one.color.code());
+            let (lane, place, is_outline) = match one.source {
+                MarkSource::Lane(lane) => (Some(lane), None, false),
+                MarkSource::Line(place) => (None, Some(place), false),
+                MarkSource::Outline(place) => (None, Some(place), true),
+            };
+            let (object, copy) = (place.map(|place| place.object), place.and_then(|p| p.copy));
+            a.v(one.position)
+                .u(lane.map_or(NOTHING, |lane| short(lane.to_bits())))
+                .u(object_bits(object));
+            a.u(copy.map_or(NOTHING, u64::from)).u(u64::from(is_outline));
+            a.f(one.s).f(one.width).u(one.kind.code()).u(one.color.code());
         }
         q.f(region.low.x).f(region.low.y).f(region.high.x).f(region.high.y).f(spacing);
         self.write("paint", &q, &a);

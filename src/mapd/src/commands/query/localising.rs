@@ -11,7 +11,7 @@ pub(super) const MARKS: &[&str] = &["distance", "side", "kind", "color", "lane",
 
 /// The ground at a point, on the level that its z says.
 pub(super) fn ground(map: Map<'_>, point: Point, out: &mut Vec<String>) -> Result<(), String> {
-    let ground = map.ground_at(point, &mut GroundScratch::default()).map_err(text)?;
+    let ground = map.ground_at(point, &[], &mut GroundScratch::default()).map_err(text)?;
     let ground = ground.ok_or("no lane holds the point")?;
     numbers(out, &[ground.z, ground.normal.x, ground.normal.y, ground.normal.z]);
     out.push(map.lane(ground.lane).map_err(text)?.key().to_string());

@@ -1,0 +1,276 @@
+//! Points along what is painted as an object: its markings, its borders of paint and kerb, and the outline of what is painted as a whole.
+
+use super::MarkFilter;
+use super::points::{MarkPoint, MarkSource};
+use crate::class_set::ClassSet;
+use crate::map::Map;
+use crate::objects::ObjectPlacement;
+use crate::region::Region;
+use glam::{DVec2, DVec3};
+use mapd_archive::{Class, ObjectShape, ObjectSide, RoadMarkColor, RoadMarkKind};
+
+/// What is painted as a whole: the outline is where the paint ends.
+const PAINTED: ClassSet = LINES
+    .with(Class::Crosswalk)
+    .with(Class::BicycleCrossing)
+    .with(Class::RestrictedArea)
+    .with(Class::Arrow)
+    .with(Class::SpeedMarking)
+    .with(Class::Marking);
+/// What fills its box where that is all that the file gives; the box of another is no edge of paint.
+const LINES: ClassSet =
+    ClassSet::NONE.with(Class::StopLine).with(Class::WaitingLine).with(Class::LaneLine);
+/// Area of an outline by the square of its length up to which it is a line.
+const NO_AREA: f64 = 1e-4;
+
+/// A line along an object, as a pattern of strokes.
+#[derive(Clone, Copy)]
+struct Strokes {
+    /// Where the first one begins, and how far before its end the line ends `[m]`.
+    start: f64,
+    stop: f64,
+    /// Lengths of stroke and gap `[m]`; no gap: one stroke.
+    stroke: f64,
+    gap: f64,
+    /// Moves the line off the object's foot `[m]`.
+    shift: DVec3,
+}
+
+impl Strokes {
+    const WHOLE: Self = Self { start: 0.0, stop: 0.0, stroke: 0.0, gap: 0.0, shift: DVec3::ZERO };
+
+    fn has_gaps(&self) -> bool {
+        self.stroke > 0.0 && self.gap > 0.0
+    }
+
+    /// Whether there is paint, so far behind the start of the first stroke.
+    fn paints(&self, along: f64) -> bool {
+        !self.has_gaps() || along.rem_euclid(self.stroke + self.gap) <= self.stroke
+    }
+}
+
+/// What is asked for.
+pub(super) struct Asked<'f> {
+    pub(super) region: Region,
+    pub(super) spacing: f64,
+    pub(super) filter: &'f MarkFilter,
+}
+
+/// Tells of the points along all painted objects in the region.
+pub(super) fn each_point(map: Map<'_>, asked: &Asked<'_>, mut visit: impl FnMut(MarkPoint)) {
+    if !asked.filter.objects {
+        return;
+    }
+    map.visit_places(asked.region, |place| of_place(&place, asked, &mut visit));
+}
+
+fn of_place(place: &ObjectPlacement<'_>, asked: &Asked<'_>, visit: &mut impl FnMut(MarkPoint)) {
+    // Copies without gaps have outlines of their own, which no marking names.
+    let mut has_lines = false;
+    let up = place.attitude().to_parent(DVec3::Z);
+    let source = MarkSource::Line(place.placement_id());
+    for marking in place.markings().take_while(|_| !place.is_swept()) {
+        has_lines = true;
+        let strokes = Strokes {
+            start: marking.start_offset(),
+            stop: marking.stop_offset(),
+            stroke: marking.stroke_length(),
+            gap: marking.gap_length(),
+            shift: up * marking.z_offset(),
+        };
+        let kind = if strokes.has_gaps() { RoadMarkKind::Broken } else { RoadMarkKind::Solid };
+        let paint = Paint {
+            place,
+            asked,
+            source,
+            kind,
+            color: color(marking.color()),
+            width: marking.width(),
+        };
+        if marking.corners().len() > 0 {
+            paint.along(|| marking.corners(), &strokes, visit);
+        } else if let Some(outline) = marking.outline() {
+            let closing = usize::from(outline.is_closed());
+            paint.along(
+                || outline.positions().chain(outline.positions().take(closing)),
+                &strokes,
+                visit,
+            );
+        } else if let Some(ends) = marking.side().and_then(|side| side_of(place, side)) {
+            paint.along(|| ends.into_iter(), &strokes, visit);
+        }
+    }
+    for border in place.borders().take_while(|_| !place.is_swept()) {
+        let kind = match border.kind() {
+            "curb" => RoadMarkKind::Curb,
+            "paint" => RoadMarkKind::Solid,
+            _ => continue,
+        };
+        has_lines |= kind == RoadMarkKind::Solid;
+        let paint = Paint {
+            place,
+            asked,
+            source,
+            kind,
+            color: RoadMarkColor::NotGiven,
+            width: border.width(),
+        };
+        if border.corners().len() > 0 {
+            paint.along(|| border.corners(), &Strokes::WHOLE, visit);
+        } else if let Some(outline) = border.outline() {
+            let closing = usize::from(outline.is_closed());
+            paint.along(
+                || outline.positions().chain(outline.positions().take(closing)),
+                &Strokes::WHOLE,
+                visit,
+            );
+        }
+    }
+    let class = place.object().class();
+    if has_lines || !PAINTED.contains(class) {
+        return;
+    }
+    let written = place.object().materials().map(|material| color(material.road_mark_color()));
+    let color = written.into_iter().find(|color| *color != RoadMarkColor::NotGiven);
+    let paint = Paint {
+        place,
+        asked,
+        source: MarkSource::Outline(place.placement_id()),
+        kind: RoadMarkKind::Solid,
+        color: color.unwrap_or(RoadMarkColor::NotGiven),
+        width: 0.0,
+    };
+    for outline in place.outlines() {
+        let closing = usize::from(outline.is_closed() && has_area(outline.positions()));
+        paint.along(
+            || outline.positions().chain(outline.positions().take(closing)),
+            &Strokes::WHOLE,
+            visit,
+        );
+    }
+    if place.shape() == ObjectShape::Box && LINES.contains(class) {
+        let corners = box_of(place);
+        paint.along(|| corners.into_iter().chain([corners[0]]), &Strokes::WHOLE, visit);
+    }
+}
+
+/// Lines of one object that look alike.
+struct Paint<'p, 'm> {
+    place: &'p ObjectPlacement<'m>,
+    asked: &'p Asked<'p>,
+    source: MarkSource,
+    kind: RoadMarkKind,
+    color: RoadMarkColor,
+    width: f64,
+}
+
+impl Paint<'_, '_> {
+    /// Tells of the places along a line, from corner to corner, at multiples of the spacing from the start of its first stroke.
+    fn along<I: Iterator<Item = DVec3>>(
+        &self,
+        line: impl Fn() -> I,
+        strokes: &Strokes,
+        visit: &mut impl FnMut(MarkPoint),
+    ) {
+        let Asked { region, spacing, filter } = *self.asked;
+        if !filter.kinds.contains(self.kind) {
+            return;
+        }
+        let pieces = || line().zip(line().skip(1));
+        let length: f64 = pieces().map(|(from, to)| from.distance(to)).sum();
+        let last = length - strokes.stop;
+        let mut gone = 0.0;
+        for (from, to) in pieces() {
+            let piece = from.distance(to);
+            let (start, shift) = (gone, strokes.shift);
+            gone += piece;
+            let flat = [from, to].map(|end| (end + shift).truncate());
+            let Some([low, high]) = inside(flat, region) else { continue };
+            // One more on either side, so that rounding leaves none out; each is looked at once more.
+            let first = ((start + low * piece - strokes.start) / spacing).floor() - 1.0;
+            let end = (start + high * piece - strokes.start) / spacing + 1.0;
+            let mut number = first.max(0.0);
+            while number <= end {
+                let along = number * spacing;
+                let at = strokes.start + along;
+                number += 1.0;
+                // What ends a piece belongs to the next one.
+                if !(at >= start && at < gone && at <= last && strokes.paints(along)) {
+                    continue;
+                }
+                let position = from.lerp(to, (at - start) / piece) + shift;
+                if region.holds(position.truncate()) {
+                    visit(MarkPoint {
+                        position,
+                        source: self.source,
+                        s: self.place.s(),
+                        kind: self.kind,
+                        color: self.color,
+                        width: self.width,
+                    });
+                }
+            }
+        }
+    }
+}
+
+/// Which part of a straight line, from 0 to 1, a rectangle holds; none where it holds nothing.
+fn inside([from, to]: [DVec2; 2], region: Region) -> Option<[f64; 2]> {
+    let way = to - from;
+    let (mut low, mut high) = (0.0f64, 1.0f64);
+    for axis in 0..2 {
+        let (way, least, most) =
+            (way[axis], region.low[axis] - from[axis], region.high[axis] - from[axis]);
+        if way == 0.0 {
+            if !(least <= 0.0 && 0.0 <= most) {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = (least / way, most / way);
+        (low, high) = (low.max(a.min(b)), high.min(a.max(b)));
+    }
+    // A little more than what rounding takes away from a corner that it only just holds.
+    (low <= high + f64::EPSILON.sqrt()).then_some([low, high])
+}
+
+/// Corners of a box: front right, front left, rear left, rear right.
+fn box_of(place: &ObjectPlacement<'_>) -> [DVec3; 4] {
+    let (u, v) = (0.5 * place.length(), 0.5 * place.width());
+    [[u, -v], [u, v], [-u, v], [-u, -v]]
+        .map(|[u, v]| place.position() + place.attitude().to_parent(DVec3::new(u, v, 0.0)))
+}
+
+/// Both ends of a side of the object's box: from the rear to the front, or from the right to the left. None of an object without a box.
+fn side_of(place: &ObjectPlacement<'_>, side: ObjectSide) -> Option<[DVec3; 2]> {
+    if place.shape() != ObjectShape::Box {
+        return None;
+    }
+    let [front_right, front_left, rear_left, rear_right] = box_of(place);
+    match side {
+        ObjectSide::Left => Some([rear_left, front_left]),
+        ObjectSide::Right => Some([rear_right, front_right]),
+        ObjectSide::Front => Some([front_right, front_left]),
+        ObjectSide::Rear => Some([rear_right, rear_left]),
+        _ => None,
+    }
+}
+
+/// Whether corners enclose more than a line.
+fn has_area(corners: impl ExactSizeIterator<Item = DVec3>) -> bool {
+    let (mut first, mut before) = (None, DVec2::ZERO);
+    let (mut doubled, mut length) = (0.0, 0.0);
+    for corner in corners {
+        let own = corner.truncate() - *first.get_or_insert(corner.truncate());
+        doubled += before.perp_dot(own);
+        length += before.distance(own);
+        before = own;
+    }
+    0.5 * f64::abs(doubled) > NO_AREA * length * length
+}
+
+/// The colour of a name.
+fn color(name: &str) -> RoadMarkColor {
+    let known = RoadMarkColor::ALL.iter().find(|color| color.name() == name);
+    known.copied().unwrap_or(RoadMarkColor::NotGiven)
+}
