@@ -37,7 +37,7 @@ class Drawing:
     """An exported map, cut to a rectangle, in metres with y upwards."""
 
     def __init__(self, source, corners, *options):
-        svg = mapd("export", str(MAPS / source), "--format", "svg", "-o", "-", "--quiet", *options)
+        svg = mapd("export", str(MAPS / source), "--format", "svg", "--quiet", *options)
         self.lines = svg.splitlines()
         # The first line that is drawn begins where the first road does.
         line = next(line for line in self.lines if 'class="reference"' in line)
@@ -63,10 +63,10 @@ class Drawing:
         return bool(xs) and min(xs) <= x1 and max(xs) >= x0 and min(ys) <= y1 and max(ys) >= y0
 
     def colour(self, key, colour, opacity):
-        """Paints a lane."""
-        for i, line in enumerate(self.lines):
-            if f"<title>{key} " in line:
-                self.lines[i] = line.replace("<path ", f'<path style="fill:{colour};fill-opacity:{opacity:.3f}" ', 1)
+        """Paints a lane over all others."""
+        line = next(line for line in self.lines if f"<title>{key} " in line)
+        path = re.search(r' d="[^"]*"', line).group(0)
+        self.over.append(f'<path{path} fill="{colour}" fill-opacity="{opacity:.2f}" stroke="{colour}" stroke-width="0.15"/>')
 
     def dot(self, x, y, radius, colour):
         x, y = self.at(x, y)
@@ -101,13 +101,13 @@ START = {"town.xodr": (12.0, 0.0), "marks.xodr": (0.0, 0.0)}
 def candidates():
     """The lanes that a pose in a junction may be in, by their probability."""
     drawing = Drawing("town.xodr", ((82, -12), (112, 12)))
-    x, y, heading, deviations = 93.0, -1.2, -0.25, (0.8, 0.8, 0.15)
+    x, y, heading, deviations = 91.0, -1.2, 0.05, (1.0, 1.0, 0.3)
     rows = [("x", "y", "hdg", "sx", "sy", "shdg"), (x, y, heading, *deviations)]
     found = [row for row in table("query", str(MAPS / "town.xodr"), "match", rows=rows) if float(row["probability"]) > 0.01]
     for i, row in enumerate(found):
         name, share = row["lane"] or "none", float(row["probability"])
         if row["lane"]:
-            drawing.colour(row["lane"], COLOURS[i % len(COLOURS)], 0.35 + 0.6 * share)
+            drawing.colour(row["lane"], COLOURS[i % len(COLOURS)], 0.3 + 0.4 * share)
         drawing.label(82.6, 10.4 - 1.7 * i, f"{name}: {100 * share:.0f} %", COLOURS[i % len(COLOURS)] if row["lane"] else "#111", 1.4)
     for number in (1, 2):
         drawing.circle(x, y, number * deviations[0], "#c0272d")
@@ -118,7 +118,7 @@ def candidates():
 
 def trace():
     """Fixes along a route, three metres off, and the lanes that they are matched to."""
-    drawing = Drawing("town.xodr", ((6, -12), (112, 14)), "--route", ROUTE)
+    drawing = Drawing("town.xodr", ((30, -12), (112, 62)), "--route", ROUTE)
     line = next(line for line in drawing.lines if 'class="route"' in line)
     course = [(drawing.left + px, drawing.top - py) for px, py in drawing.numbers(line)]
     chance, fixes, gone = random.Random(7), [], 0.0
@@ -133,7 +133,7 @@ def trace():
     found = table("match", str(MAPS / "town.xodr"), "--deviation", "3", rows=rows)
     lanes = list(dict.fromkeys(row["lane"] for row in found if row["lane"]))
     for i, lane in enumerate(lanes):
-        drawing.colour(lane, COLOURS[i % len(COLOURS)], 0.8)
+        drawing.colour(lane, COLOURS[i % len(COLOURS)], 0.6)
     drawing.lines.remove(line)
     for (x, y), row in zip(fixes, found):
         drawing.dot(x, y, 0.55, COLOURS[lanes.index(row["lane"]) % len(COLOURS)] if row["lane"] else "#111")
@@ -155,7 +155,7 @@ def marks():
 
 
 if __name__ == "__main__":
-    PROGRAM, ROUTE = sys.argv[1], "1:0:-1,20 2:0:-1,20"
+    PROGRAM, ROUTE = sys.argv[1], "1,20,-1:4,50,-1"
     candidates()
     trace()
     marks()

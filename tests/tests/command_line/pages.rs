@@ -121,6 +121,20 @@ const PICTURES: [(&str, &str, &[&str]); 6] = [
     ("`lanelet2`", "export.md", &["lanelet2.png"]),
 ];
 
+/// Pictures that `docs/pictures/where_am_i.py` draws, with what an answer has put into each.
+const ANSWERS: [(&str, &str); 3] =
+    [("candidates.svg", " %</text>"), ("trace.svg", "<circle"), ("nearest_marks.svg", "<circle")];
+
+#[test]
+fn the_page_on_localisation_shows_its_answers() {
+    for (picture, answer) in ANSWERS {
+        assert!(page("localisation.md").contains(&format!("](pictures/{picture})")), "{picture}");
+        let file = workspace().join("docs/pictures").join(picture);
+        let text = std::fs::read_to_string(&file).expect("the picture can be read");
+        assert!(text.starts_with("<?xml") && text.matches(answer).count() > 1, "{picture}");
+    }
+}
+
 #[test]
 fn every_format_has_a_picture() {
     let text = page("export.md");

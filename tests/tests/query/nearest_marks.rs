@@ -3,8 +3,8 @@
 use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::DVec2;
 use mapd_client::localisation::{MarkFilter, MarkKinds, MarkPoint, MarkSource, Side};
-use mapd_client::vocabulary::{RoadMarkColor, RoadMarkKind};
-use mapd_client::{Map, QueryError, Region, Track};
+use mapd_client::vocabulary::{LaneType, RoadMarkColor, RoadMarkKind};
+use mapd_client::{LaneTypes, Map, QueryError, Region, Track};
 use mapd_tests::carried;
 use mapd_tests::maps::{self, Random};
 
@@ -232,6 +232,44 @@ fn many_points_answer_as_each_does() {
     let refused = Err(QueryError::Option("radius"));
     assert_eq!(map.nearest_mark(DVec2::ZERO, &endless), refused.map(|()| None));
     assert_eq!(map.nearest_marks(&points[..1], &endless, &mut out), refused);
+}
+
+/// In clouds, in junctions too, where marks of many lanes cross: the same bits as one by one, in whatever order the points come.
+#[test]
+fn clouds_answer_as_each_point_does() {
+    for path in maps::carried_and(&["carla/Town05", "Scenic/Issue189"]) {
+        let snapshot = maps::open(&path);
+        let (map, mut random, mut out) = (snapshot.map(), Random(37), Vec::new());
+        let roads: Vec<_> = map.roads().collect();
+        for (radius, filter) in [
+            (5.0, MarkFilter::default()),
+            (1.0, MarkFilter { radius: 20.0, ..MarkFilter::default() }),
+            (
+                8.0,
+                MarkFilter {
+                    types: LaneTypes::NONE.with(LaneType::Driving),
+                    ..MarkFilter::default()
+                },
+            ),
+        ] {
+            let mut points = Vec::new();
+            for _ in 0..6 {
+                let road = roads.get((random.unit() * roads.len() as f64) as usize);
+                let road = road.expect("a road");
+                let track = Track { s: random.unit() * road.length(), t: 0.0, h: 0.0 };
+                let middle = road.to_inertial(track).expect("a place").position.truncate();
+                points.extend((0..100).map(|_| {
+                    let away = DVec2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0));
+                    middle + radius * away
+                }));
+            }
+            map.nearest_marks(&points, &filter, &mut out).expect("answers");
+            for (point, found) in points.iter().zip(&out) {
+                let single = map.nearest_mark(*point, &filter).expect("an answer");
+                assert_eq!(*found, single, "{}: {point}", path.display());
+            }
+        }
+    }
 }
 
 /// Points lie on marks, painted places have one at every multiple of the spacing, and each comes once, by whatever rectangle.

@@ -44,19 +44,20 @@ pub(super) fn answer(
         while let Some(key) = left.first() {
             let (mut low, mut high) = (place(key), place(key));
             let fits = |key: &&u64| {
-                let (lower, upper) = (low.min(place(key)), high.max(place(key)));
-                let fits = (upper - lower).max_element() <= EXTENT;
-                if fits {
-                    (low, high) = (lower, upper);
-                }
-                fits
+                (low, high) = (low.min(place(key)), high.max(place(key)));
+                (high - low).max_element() <= EXTENT
             };
-            let count = left.iter().take_while(fits).count();
-            let (own, rest) = left.split_at(count.max(1));
+            let mut count = left.iter().take_while(fits).count().max(1);
+            // Where too much lies around them, half of them may have less.
+            let mut is_tile =
+                count >= FEWEST && tile.fill(bounds(left, count, place), filter, shift);
+            while !is_tile && count >= 2 * FEWEST {
+                count /= 2;
+                is_tile = tile.fill(bounds(left, count, place), filter, shift);
+            }
+            let (own, rest) = left.split_at(count);
             left = rest;
             let origin = map.origin();
-            let is_tile =
-                own.len() >= FEWEST && tile.fill([low - origin, high - origin], filter, shift);
             for key in own {
                 let local = place(key) - origin;
                 let mut search = Search::new(map, filter);
@@ -72,6 +73,13 @@ pub(super) fn answer(
     }
 }
 
+/// The box around the first few places.
+fn bounds(keys: &[u64], count: usize, place: impl Fn(&u64) -> DVec2) -> [DVec2; 2] {
+    let empty = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+    let around = |[low, high]: [DVec2; 2], at: DVec2| [low.min(at), high.max(at)];
+    keys.iter().take(count).map(place).fold(empty, around)
+}
+
 /// What may be nearest to one of several points near each other.
 struct Tile<'m> {
     map: Map<'m>,
@@ -84,6 +92,7 @@ impl<'m> Tile<'m> {
     /// Finds what may be nearest to a point in a box; whether everything has room.
     fn fill(&mut self, [low, high]: [DVec2; 2], filter: &MarkFilter, shift: f64) -> bool {
         self.count = 0;
+        let (low, high) = (low - self.map.origin(), high - self.map.origin());
         let (middle, around) = (0.5 * (low + high), 0.5 * (high - low).length() + SLACK);
         let map = self.map;
         let (mut limit, mut fits) = (filter.radius + around, true);
@@ -108,6 +117,9 @@ impl<'m> Tile<'m> {
                         fits &= self.add(distance - around, candidate, limit - around);
                     }
                 });
+                if !fits {
+                    return 0.0;
+                }
                 bound = bound.min(round_up(limit + shift));
                 open &= index::places_within(&lower, bound);
             }
