@@ -118,6 +118,90 @@ pub unsafe extern "C" fn mapd_to_geodetic_batch(
     }
 }
 
+/// As `mapd_from_geodetic`, of `count` places; `out` has room for as many.
+///
+/// Errors: as `mapd_from_geodetic`, of the first place that has one; the answers before it are written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_from_geodetic_batch(
+    projector: *const mapd_projector,
+    places: *const mapd_geodetic,
+    count: usize,
+    out: *mut mapd_vec3,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let projector = projector_of(projector)?;
+            let places = entries(places, count, "the places")?;
+            fill(out, places, |place| projector.from_geodetic((*place).into()).map(Into::into))
+        })
+    }
+}
+
+/// Heading of true north at each of `count` points of the map \[rad\], counter-clockwise from x, in (−π, π\]. A heading that a receiver gives clockwise
+/// from true north is this minus that one. `out` has room for as many.
+///
+/// Errors: as `mapd_to_geodetic`, of the first point that has one; the answers before it are written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_north_at_batch(
+    projector: *const mapd_projector,
+    points: *const mapd_vec3,
+    count: usize,
+    out: *mut f64,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let projector = projector_of(projector)?;
+            let points = entries(points, count, "the points")?;
+            fill(out, points, |point| projector.north_at((*point).into()))
+        })
+    }
+}
+
+/// East, north and up \[m\] of each of `count` points of the map, from `origin`, a point of the map: the topocentric frame, in the plane that touches
+/// the Earth there. `out` has room for as many.
+///
+/// Errors: as `mapd_to_geodetic`, of the origin or the first point that has one; the answers before it are written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_to_enu_batch(
+    projector: *const mapd_projector,
+    origin: mapd_vec3,
+    points: *const mapd_vec3,
+    count: usize,
+    out: *mut mapd_vec3,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let frame = projector_of(projector)?.enu_at(origin.into())?;
+            let points = entries(points, count, "the points")?;
+            fill(out, points, |point| frame.to_enu((*point).into()).map(Into::into))
+        })
+    }
+}
+
+/// The points of the map at each of `count` easts, norths and ups \[m\] from `origin`, a point of the map. `out` has room for as many.
+///
+/// Errors: as `mapd_to_enu_batch`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_from_enu_batch(
+    projector: *const mapd_projector,
+    origin: mapd_vec3,
+    places: *const mapd_vec3,
+    count: usize,
+    out: *mut mapd_vec3,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let frame = projector_of(projector)?.enu_at(origin.into())?;
+            let places = entries(places, count, "the places")?;
+            fill(out, places, |place| frame.from_enu((*place).into()).map(Into::into))
+        })
+    }
+}
+
 /// As `mapd_nearest_lane`, from a place on Earth through a projector of this map. The altitude counts where `has_altitude` is not 0.
 ///
 /// Errors: as `mapd_from_geodetic`.

@@ -10,7 +10,8 @@ use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use mapd_client::glam::DMat3;
 use mapd_client::localisation::{
-    LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, VehiclePose,
+    LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, VehicleOutline,
+    VehiclePose,
 };
 use mapd_client::{LaneId, LaneTypes};
 
@@ -22,6 +23,20 @@ pub struct mapd_vehicle_pose {
     pub position: mapd_point,
     /// Heading \[rad\], counter-clockwise from x; any turn of it.
     pub heading: f64,
+}
+
+/// Plan view of a vehicle: a rectangle around the place of its pose, along its heading. Each size is in \[0, 100\].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_vehicle_outline {
+    /// How far it reaches from the pose's place ahead \[m\].
+    pub front: f64,
+    /// How far behind it \[m\].
+    pub back: f64,
+    /// How far to the left \[m\].
+    pub left: f64,
+    /// How far to the right \[m\].
+    pub right: f64,
 }
 
 /// How hypotheses are weighed. Set it with `mapd_match_options_init`, then change what should differ.
@@ -52,6 +67,8 @@ pub struct mapd_match_options {
     pub has_vehicle: u8,
     /// The class of the vehicle: a `MAPD_VEHICLE_CLASS_…`.
     pub vehicle: u8,
+    /// Plan view of the vehicle: a lane's weight is then the share of the vehicle that lies in it. Default zeros, which count as no outline.
+    pub outline: mapd_vehicle_outline,
 }
 
 /// A lane that a vehicle may be in, in one of its directions.
@@ -138,6 +155,13 @@ impl From<mapd_vehicle_pose> for VehiclePose {
     }
 }
 
+impl From<mapd_vehicle_outline> for VehicleOutline {
+    fn from(outline: mapd_vehicle_outline) -> Self {
+        let mapd_vehicle_outline { front, back, left, right } = outline;
+        Self { front, back, left, right }
+    }
+}
+
 impl From<mapd_trace_fix> for TraceFix {
     fn from(fix: mapd_trace_fix) -> Self {
         let mapd_trace_fix { time, position, heading, has_heading } = fix;
@@ -196,6 +220,7 @@ pub(crate) unsafe fn match_options(
         closed: given.closed,
         expected: lanes,
         unexpected: given.unexpected,
+        outline: Some(given.outline.into()),
     })
 }
 
@@ -223,6 +248,7 @@ pub unsafe extern "C" fn mapd_match_options_init(
                 has_z_tolerance: 0,
                 has_vehicle: 0,
                 vehicle: 0,
+                outline: mapd_vehicle_outline { front: 0.0, back: 0.0, left: 0.0, right: 0.0 },
             };
             put_defaults(options, size, defaults)
         })

@@ -288,6 +288,11 @@ int main(int argc, char **argv) {
   match_options.none = 0.0;
   EXPECT(MAPD_CODE_ARGUMENT,
          mapd_match_pose(map, pose, covariance, &match_options, scratch, &match, 1, &count, NULL, &error));
+  match_options.none = 0.01;
+  match_options.outline.front = -1.0;
+  EXPECT(MAPD_CODE_ARGUMENT,
+         mapd_match_pose(map, pose, covariance, &match_options, scratch, &match, 1, &count, NULL, &error));
+  if (strstr(error.message, "outline.front") == NULL) ++failures;
   EXPECT(MAPD_CODE_ARGUMENT, mapd_match_trace(map, fixes, 2, NULL, scratch, traced, &error));
   EXPECT(MAPD_CODE_OK, mapd_match_trace(map, fixes, 1, NULL, scratch, traced, &error));
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_match_trace(map, fixes, 1, NULL, scratch, NULL, &error));

@@ -69,6 +69,13 @@ int main(int argc, char** argv) {
   CHECK(answers[0].lane == lane && !mapd::is_some(answers[1].lane));
   CHECK(map.try_nearest_lanes(points, mapd::span<mapd::Nearest>(answers, 1), scratch).code == MAPD_CODE_TOO_SMALL);
 
+  // Two thirds of the vehicle on the right of the line, one on the left; nothing is known of its heading, so that both ways count.
+  mapd::MatchOptions of_vehicle;
+  of_vehicle.outline = {2.0, 1.0, 0.6, 1.2};
+  const auto shared = map.try_match_pose({mapd::Point(50.0, 0.0), 0.0}, {0, 0, 0, 0, 0, 0, 0, 0, 1e6}, scratch, of_vehicle);
+  CHECK(shared && shared->lanes.size() > 1);
+  CHECK(std::abs(shared->lanes[0].probability / shared->lanes[1].probability - 2.0) < 1e-3);
+
   const auto key = map.try_key(lane);
   CHECK(key && *map.try_lane_by_key(*key) == lane);
   const auto lanes = map.try_lanes();
@@ -136,6 +143,14 @@ int main(int argc, char** argv) {
     if (*found && *same) CHECK((*found)->lane == (*same)->lane);
     const mapd::Vec3 none[] = {of_map[0], {NAN, 0.0, 0.0}};
     CHECK(projector->try_to_geodetic(none, on_earth).code == MAPD_CODE_NOT_FINITE);
+    mapd::Vec3 there[2], back[2];
+    double north[2];
+    CHECK(projector->try_to_geodetic(of_map, on_earth).code == MAPD_CODE_OK);
+    CHECK(projector->try_from_geodetic(on_earth, there).code == MAPD_CODE_OK && std::abs(there[1].x - of_map[1].x) < 1e-6);
+    CHECK(projector->try_north_at(of_map, north).code == MAPD_CODE_OK && std::abs(north[0] - 1.570796) < 0.06);
+    CHECK(projector->try_to_enu(of_map[0], of_map, there).code == MAPD_CODE_OK && std::abs(there[0].x) < 1e-6);
+    CHECK(projector->try_from_enu(of_map[0], there, back).code == MAPD_CODE_OK && std::abs(back[1].y - of_map[1].y) < 1e-6);
+    CHECK(projector->try_to_enu(none[1], of_map, there).code == MAPD_CODE_NOT_FINITE);
   }
 
   // What was made from a snapshot outlives it, and a snapshot from memory that memory.

@@ -20,6 +20,7 @@
 mod by_proj4rs;
 mod datum;
 mod ellipsoid;
+mod enu;
 mod offset;
 #[cfg(feature = "read")]
 mod parameters;
@@ -32,10 +33,12 @@ mod reference;
 mod target;
 mod topocentric;
 mod transverse_mercator;
+mod utm;
 mod values;
 #[cfg(feature = "read")]
 mod warning;
 
+pub use enu::EnuFrame;
 pub use glam;
 pub use offset::Offset;
 pub use projector::{DefinitionError, Geodetic, ProjectionError, Projector};
@@ -43,5 +46,6 @@ pub use projector::{DefinitionError, Geodetic, ProjectionError, Projector};
 pub use reference::{Form, Reference, ReferenceError};
 #[cfg(feature = "read")]
 pub use target::{Target, TargetError};
+pub use utm::UtmZone;
 #[cfg(feature = "read")]
 pub use warning::DefinitionWarning;

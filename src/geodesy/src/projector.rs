@@ -161,6 +161,12 @@ impl Projector {
         Ok(libm::atan2(along.y, along.x))
     }
 
+    /// As [`Self::north_at`] for many points; `out` gets one answer for each.
+    pub fn north_at_batch(&self, points: &[DVec3], out: &mut Vec<Result<f64, ProjectionError>>) {
+        out.clear();
+        out.extend(points.iter().map(|point| self.north_at(*point)));
+    }
+
     /// As [`Self::to_geodetic`] for many points; `out` gets one answer for each.
     pub fn to_geodetic_batch(
         &self,

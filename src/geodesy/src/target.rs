@@ -2,6 +2,7 @@
 
 use crate::projector::Geodetic;
 use crate::reference::{Reference, ReferenceError};
+use crate::utm::UtmZone;
 use crate::warning::DefinitionWarning;
 use std::fmt;
 use std::str::FromStr;
@@ -11,10 +12,6 @@ use thiserror::Error;
 const UTM: &str = "utm";
 /// What an east-north-up frame begins with.
 const ENU: &str = "enu:";
-/// Width of a zone of UTM `[deg]`.
-const ZONE: f64 = 6.0;
-/// Number of zones.
-const ZONES: f64 = 60.0;
 
 /// A frame to compile a map into.
 ///
@@ -68,11 +65,7 @@ impl Target {
         if let Some(definition) = &self.definition {
             return definition.clone();
         }
-        // Longitudes beyond ±180 degrees go round; 180 itself is the last zone's eastern edge.
-        let turned = (middle.longitude + 180.0).rem_euclid(360.0);
-        let zone = ((turned / ZONE).floor() % ZONES) as u32 + 1;
-        let south = if middle.latitude < 0.0 { " +south" } else { "" };
-        format!("+proj=utm +zone={zone}{south} +datum=WGS84")
+        UtmZone::regular(middle.latitude, middle.longitude).definition()
     }
 }
 

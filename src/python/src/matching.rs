@@ -7,9 +7,16 @@ use crate::input::{Rows, column, matrices, one_point};
 use crate::lane::Lane;
 use crate::room::{Column, Room};
 use mapd_client::glam::DMat3;
-use mapd_client::localisation::{LaneMatch, MatchError, TraceFix, TraceOptions, VehiclePose};
+use mapd_client::localisation::{
+    LaneMatch, MatchError, TraceFix, TraceOptions, VehicleOutline, VehiclePose,
+};
 use pyo3::prelude::*;
 use std::sync::Arc;
+
+/// An outline of a caller's.
+pub(crate) fn outline([front, back, left, right]: [f64; 4]) -> VehicleOutline {
+    VehicleOutline { front, back, left, right }
+}
 
 /// A covariance for each of `rows` poses: one matrix for all, or as many.
 pub(crate) struct Covariances {

@@ -7,7 +7,9 @@ use crate::input::{Rows, column, lanes_of, one_point, types_of, vehicle_of};
 use crate::map::Map;
 use crate::matching::{Covariances, lane_match};
 use crate::room::{Column, Room};
-use mapd_client::localisation::{MatchOptions, Tracked, TrackerFix, TrackerOptions, VehiclePose};
+use mapd_client::localisation::{
+    MatchOptions, Tracked, TrackerFix, TrackerOptions, VehicleOutline, VehiclePose,
+};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{LaneId, LaneTypes};
 use pyo3::prelude::*;
@@ -26,6 +28,7 @@ struct Options {
     vehicle: Option<VehicleClass>,
     closed: f64,
     unexpected: f64,
+    outline: Option<VehicleOutline>,
     change_interval: f64,
     correlation_time: f64,
     memory: f64,
@@ -44,6 +47,7 @@ impl Options {
                 closed: self.closed,
                 expected,
                 unexpected: self.unexpected,
+                outline: self.outline,
             },
             change_interval: self.change_interval,
             correlation_time: self.correlation_time,
@@ -81,7 +85,8 @@ impl Tracker {
 impl Tracker {
     #[new]
     #[pyo3(signature = (*, types = None, z_tolerance = None, drive_deviation = 0.1, none = 0.01, vehicle = None,
-        closed = 0.05, unexpected = 0.05, change_interval = 30.0, correlation_time = 0.0, memory = 30.0, enough = 0.5))]
+        closed = 0.05, unexpected = 0.05, change_interval = 30.0, correlation_time = 0.0, memory = 30.0, enough = 0.5,
+        outline = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn new(
         types: Option<&Bound<'_, PyAny>>,
@@ -95,6 +100,7 @@ impl Tracker {
         correlation_time: f64,
         memory: f64,
         enough: f64,
+        outline: Option<[f64; 4]>,
     ) -> PyResult<Self> {
         let options = Options {
             types: types.map_or(Ok(LaneTypes::drivable()), types_of)?,
@@ -104,6 +110,7 @@ impl Tracker {
             vehicle: vehicle.map(vehicle_of).transpose()?,
             closed,
             unexpected,
+            outline: outline.map(crate::matching::outline),
             change_interval,
             correlation_time,
             memory,

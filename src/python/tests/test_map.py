@@ -78,6 +78,15 @@ def test_matches_add_up_to_one(town: mapd.Map) -> None:
     assert found.lane[-1] == mapd.NONE and found.probability[-1] == pytest.approx(1.0)
     one = town.match_pose((50.0, -1.75), 0.0, covariance, expected=["1:0:1"])
     assert one.lanes[0].lane == town.lane("1:0:-1") and one.none > 0.0
+    # A third of the vehicle beyond the line, which it heads along; nothing is known of the heading, so that both ways count.
+    blind = np.diag([0.0, 0.0, 1e6])
+    wide = town.match_pose((50.0, 0.0), 0.0, blind, outline=(2.0, 1.0, 0.6, 1.2))
+    share = {one.lane: one.probability for one in wide.lanes}
+    assert share[town.lane("1:0:-1")] / share[town.lane("1:0:1")] == pytest.approx(2.0, abs=1e-3)
+    with pytest.raises(ValueError, match=r"outline\.left"):
+        town.match_pose(points, 0.0, covariance, outline=(1.0, 1.0, -1.0, 1.0))
+    with pytest.raises(ValueError, match=r"outline\.front"):
+        mapd.Tracker(outline=(-1.0, 1.0, 1.0, 1.0)).update(town, 0.0, (50.0, 0.0), 0.0, covariance)
     for wrong, says in ((-covariance, "negative"), (np.zeros((2, 2)), "(3, 3)"), (np.zeros((3, 3, 3)), "(2, 3, 3)")):
         with pytest.raises(ValueError, match=re.escape(says)):
             town.match_pose(points, 0.0, wrong)
@@ -291,3 +300,14 @@ def test_places_on_earth(town: mapd.Map) -> None:
     assert road.to_geodetic((0.0, 0.0, 5.0)) == (places.latitude[0], places.longitude[0], places.altitude[0])
     with pytest.raises(mapd.ProjectionError):
         town.to_geodetic(points)
+    north = road.north_at(points)
+    assert np.all(np.abs(north - np.pi / 2) < 0.06) and road.north_at(tuple(points[1])) == north[1]
+    origin = tuple(points[0])
+    there = road.to_enu(points, origin)
+    assert np.allclose([there.x[0], there.y[0], there.z[0]], 0.0, atol=1e-6)
+    apart = np.column_stack([there.x, there.y, there.z])
+    again = road.from_enu(apart, origin)
+    assert np.allclose(np.column_stack([again.x, again.y, again.z]), points, atol=1e-6)
+    assert road.to_enu(tuple(points[1]), origin) == tuple(apart[1])
+    with pytest.raises(mapd.ProjectionError):
+        road.to_enu(points, (np.nan, 0.0))

@@ -37,7 +37,7 @@ pub mod localisation {
     pub use crate::marks::{MarkFilter, MarkKinds, MarkPoint, MarkSource, NearMark, Side};
     pub use crate::matching::{
         LaneMatch, MatchError, MatchOptions, TraceFix, TraceMatch, TraceOptions, TracePosition,
-        TraceScratch, Tracked, Tracker, TrackerFix, TrackerOptions, VehiclePose,
+        TraceScratch, Tracked, Tracker, TrackerFix, TrackerOptions, VehicleOutline, VehiclePose,
     };
 }
 
@@ -45,7 +45,9 @@ pub mod localisation {
 #[cfg(feature = "geodesy")]
 pub mod geodesy {
     pub use crate::geodetic::{GeodeticError, GeodeticPoint};
-    pub use mapd_geodesy::{DefinitionError, Geodetic, Offset, ProjectionError, Projector};
+    pub use mapd_geodesy::{
+        DefinitionError, EnuFrame, Geodetic, Offset, ProjectionError, Projector, UtmZone,
+    };
 }
 
 /// The words of the map: types, kinds and classes. Archives of later releases may use words that this one does not know; they

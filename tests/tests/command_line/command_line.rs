@@ -145,6 +145,26 @@ fn a_pose_is_matched_with_a_row_for_each_lane_and_one_for_none() {
     assert_eq!(of("c")[0][14], "\"sx must not be negative", "{text}");
 }
 
+#[test]
+fn a_vehicle_with_an_outline_is_in_lanes_by_its_shares() {
+    // Lane 1 goes the other way: of a heading that is not known, both count alike.
+    let input = "x,y,hdg,sx,sy,shdg\n30,0.45,0,0,0,1000\n";
+    let output = run(&["query", &one_road(), "match", "--outline", "3,1,0.9,0.9"], input);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    let share = |key: &str| {
+        let row = rows.iter().find(|row| row[6] == key);
+        row.map(|row| row[8].parse::<f64>().expect("a probability")).expect("a row")
+    };
+    assert!((share("1:0:1") / share("1:0:-1") - 3.0).abs() < 1e-3, "{text}");
+    for wrong in ["3,1,0.9", "3,1,0.9,-0.9", "3,1,0.9,x", "3,1,0.9,101"] {
+        let output = run(&["query", &one_road(), "match", "--outline", wrong], input);
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(text.contains("FRONT,BACK,LEFT,RIGHT"), "{text}");
+    }
+}
+
 /// Runs a query on the one-road map and compares numbers to 1e-8 (a millimetre, where they are degrees), texts exactly:
 /// projections use the C library's functions, whose last digit is not the same on every machine.
 fn check_nearly(kind: &str, input: &str, expected: &[&[&str]]) {

@@ -1,7 +1,9 @@
 //! Single queries, into buffers with room.
 
 use crate::counted;
-use mapd_client::localisation::{GroundScratch, MarkFilter, MatchOptions, VehiclePose};
+use mapd_client::localisation::{
+    GroundScratch, MarkFilter, MatchOptions, VehicleOutline, VehiclePose,
+};
 use mapd_client::route::{
     LaneSequences, PositionOnLane, RouteScratch, ShortestTime, next_lane_change,
 };
@@ -141,11 +143,14 @@ fn queries_do_not_allocate() {
         for i in 0..40 {
             let position = Point::from(DVec2::new(f64::from(i * 5), f64::from(i * 3)));
             let (pose, spread) = (VehiclePose { position, heading: 0.3 }, DMat3::IDENTITY);
-            let none = map.match_pose(&pose, &spread, &MatchOptions::default(), &mut matches);
-            seen += matches.len() + usize::from(none.expect("an answer") > 0.5);
-            seen += usize::from(
-                map.ground_at(position, &[], &mut ground).expect("an answer").is_some(),
-            );
+            let outline = VehicleOutline { front: 3.6, back: 1.0, left: 0.9, right: 0.9 };
+            for outline in [None, Some(outline)] {
+                let options = MatchOptions { outline, ..MatchOptions::default() };
+                let none = map.match_pose(&pose, &spread, &options, &mut matches);
+                seen += matches.len() + usize::from(none.expect("an answer") > 0.5);
+            }
+            let found = map.ground_at(position, &[], &mut ground).expect("an answer");
+            seen += usize::from(found.is_some());
             let mark = map.nearest_mark(position.xy, &MarkFilter::default()).expect("an answer");
             seen += usize::from(mark.is_some());
         }

@@ -4,7 +4,9 @@ use mapd_client::batch::{
     BatchScratch, NearestLanes, Places, PoseError, PoseMatches, Poses, TrackPositions, Tracks,
 };
 use mapd_client::glam::{DMat3, DVec2, DVec3};
-use mapd_client::localisation::{GroundScratch, MarkFilter, MatchError, MatchOptions, VehiclePose};
+use mapd_client::localisation::{
+    GroundScratch, MarkFilter, MatchError, MatchOptions, VehicleOutline, VehiclePose,
+};
 use mapd_client::{LaneTypes, Map, NearestOptions, Point, QueryError, Track};
 use mapd_tests::carried;
 use mapd_tests::maps::{self, Random};
@@ -89,9 +91,12 @@ fn poses_roads_ground_and_marks_answer_as_single_calls() {
     let one = [covariance(0.25)];
     let (mut scratch, mut out, mut single) =
         (BatchScratch::default(), PoseMatches::default(), Vec::new());
-    let options = MatchOptions::default();
-    for covariances in [&each[..], &one] {
-        map.match_poses(&poses, covariances, &options, &mut scratch, &mut out).expect("answers");
+    let outline = VehicleOutline { front: 3.6, back: 1.0, left: 0.9, right: 0.9 };
+    let vehicle = MatchOptions { outline: Some(outline), ..MatchOptions::default() };
+    let ways = [(&each[..], MatchOptions::default(), 600), (&one, MatchOptions::default(), 600)];
+    for (covariances, options, count) in ways.into_iter().chain([(&each[..60], vehicle, 60)]) {
+        let poses = &poses[..count];
+        map.match_poses(poses, covariances, &options, &mut scratch, &mut out).expect("answers");
         for (i, pose) in poses.iter().enumerate() {
             let covariance = &covariances[i.min(covariances.len() - 1)];
             let none = map.match_pose(pose, covariance, &options, &mut single);

@@ -3,16 +3,20 @@
 use glam::DVec3;
 use mapd_client::Snapshot;
 use mapd_geodesy::{
-    DefinitionWarning, Form, Geodetic, Offset, Projector, Reference, ReferenceError,
+    DefinitionWarning, Form, Geodetic, Offset, ProjectionError, Projector, Reference,
+    ReferenceError, UtmZone,
 };
 use mapd_tests::{corpus, say, workspace};
 use std::collections::HashMap;
+use std::f64::consts::FRAC_PI_2;
 use std::path::PathBuf;
 
 /// Largest distance from PROJ's figures `[m]`, which are stored to a tenth of a millimetre.
 const FROM_PROJ: f64 = 1e-3;
 /// Largest distance of a point that went to Earth and back `[m]`.
 const ROUND_TRIP: f64 = 1e-6;
+/// Largest difference of a grid's convergence from PROJ's `[deg]`.
+const CONVERGENCE: f64 = 1e-6;
 /// Length of a degree of latitude `[m]`, roughly.
 const DEGREE: f64 = 111_200.0;
 /// As in `tests/differential/projections.py`, so that points need not be stored.
@@ -72,6 +76,121 @@ fn projections_agree_with_proj_and_come_back() {
         sets += 1;
     }
     assert_eq!(sets, answers.len());
+}
+
+/// Places in zones of UTM, on their edges and beyond: all in the zone of the map, with the convergence of its grid.
+#[test]
+fn fixes_beyond_a_zone_are_in_the_zone_of_the_map() {
+    let mut points: HashMap<String, Vec<DVec3>> = HashMap::new();
+    let mut norths: HashMap<String, Vec<f64>> = HashMap::new();
+    for record in data("convergences.csv").records() {
+        let record = record.expect("a record");
+        let [latitude, longitude, x, y, convergence] = [1, 2, 3, 4, 5].map(|i| number(&record[i]));
+        let projector = projector(&record[0], Offset::default());
+        let place = Geodetic { latitude, longitude, altitude: 7.0 };
+        let point = projector.from_geodetic(place).expect("a point");
+        let what = format!("{} at {latitude} {longitude}", &record[0]);
+        assert!(point.distance(DVec3::new(x, y, 7.0)) <= FROM_PROJ, "{what}: {point}");
+        let back = projector.to_geodetic(point).expect("a place");
+        let around = (back.longitude - longitude).rem_euclid(360.0);
+        let off = (back.latitude - latitude).abs() + around.min(360.0 - around);
+        assert!(off * DEGREE <= ROUND_TRIP, "{what}: {back:?}");
+        let north = projector.north_at(point).expect("a direction");
+        let turned = (north - FRAC_PI_2).to_degrees();
+        assert!(
+            (turned - convergence).abs() <= CONVERGENCE,
+            "{what}: {turned}, PROJ {convergence}"
+        );
+        points.entry(record[0].to_owned()).or_default().push(point);
+        norths.entry(record[0].to_owned()).or_default().push(north);
+    }
+    for (definition, points) in &mut points {
+        let projector = projector(definition, Offset::default());
+        points.push(DVec3::NAN);
+        let mut all = Vec::new();
+        projector.north_at_batch(points, &mut all);
+        let (last, before) = all.split_last().expect("answers");
+        assert_eq!(*last, Err(ProjectionError::NotFinite));
+        assert_eq!(
+            before.iter().copied().collect::<Result<Vec<_>, _>>(),
+            Ok(norths[definition].clone())
+        );
+    }
+    assert_eq!(points.len(), 4);
+}
+
+/// The header's offset turns the map, and north with it.
+#[test]
+fn north_turns_with_the_map() {
+    let heading = 0.3;
+    let turned = Offset { shift: DVec3::new(690_000.0, 5_330_000.0, 0.0), heading };
+    let plain = Offset { heading: 0.0, ..turned };
+    let north = |offset| {
+        let projector = projector("+proj=utm +zone=32 +datum=WGS84", offset);
+        projector.north_at(DVec3::ZERO).expect("a direction")
+    };
+    assert!((north(plain) - north(turned) - heading).abs() < 1e-9);
+}
+
+#[test]
+fn east_north_and_up_are_those_of_proj() {
+    let mut count = 0;
+    for record in data("enu.csv").records() {
+        let record = record.expect("a record");
+        let at = |i: usize| Geodetic {
+            latitude: number(&record[i]),
+            longitude: number(&record[i + 1]),
+            altitude: number(&record[i + 2]),
+        };
+        // The map's own frame is turned and shifted: east is east all the same.
+        let offset = Offset { shift: DVec3::new(100.0, -50.0, 20.0), heading: 0.4 };
+        let projector = projector(&record[0], offset);
+        let point = |place: Geodetic| projector.from_geodetic(place).expect("a point");
+        let frame = projector.enu_at(point(at(1))).expect("a frame");
+        let expected = DVec3::from_array([7, 8, 9].map(|i| number(&record[i])));
+        let found = frame.to_enu(point(at(4))).expect("a place");
+        assert!(found.distance(expected) <= FROM_PROJ, "{record:?}: {found}");
+        let back = frame.from_enu(found).expect("a point");
+        assert!(back.distance(point(at(4))) <= ROUND_TRIP, "{record:?}: {back}");
+        let (mut there, mut again) = (Vec::new(), Vec::new());
+        frame.to_enu_batch(&[point(at(4)), DVec3::NAN], &mut there);
+        frame.from_enu_batch(&[found, DVec3::INFINITY], &mut again);
+        assert_eq!(there, [Ok(found), Err(ProjectionError::NotFinite)]);
+        assert_eq!(again, [Ok(back), Err(ProjectionError::NotFinite)]);
+        count += 1;
+    }
+    assert_eq!(count, 28);
+}
+
+#[test]
+fn zones_of_utm_have_edges() {
+    let check = |latitude: f64, longitude: f64, expected: Option<&str>| {
+        let zone = UtmZone::of(latitude, longitude).map(|zone| zone.to_string());
+        assert_eq!(zone.as_deref(), expected, "{latitude} {longitude}");
+    };
+    check(48.0, 11.999_999, Some("32N"));
+    check(48.0, 12.0, Some("33N"));
+    check(48.0, 6.0, Some("32N"));
+    check(48.0, 5.999_999, Some("31N"));
+    check(0.0, 0.0, Some("31N"));
+    check(-1e-9, -1e-9, Some("30S"));
+    check(10.0, 180.0, Some("1N"));
+    check(10.0, 179.999, Some("60N"));
+    check(10.0, -180.0, Some("1N"));
+    check(10.0, 371.0, Some("32N"));
+    // Regular there, too: no exception for Norway or Svalbard.
+    check(60.0, 4.0, Some("31N"));
+    check(78.0, 8.0, Some("32N"));
+    for (latitude, zone) in [(84.0, Some("32N")), (84.1, None), (-80.0, Some("32S")), (-80.1, None)]
+    {
+        check(latitude, 9.0, zone);
+    }
+    check(f64::NAN, 9.0, None);
+    check(9.0, f64::INFINITY, None);
+    assert_eq!(
+        UtmZone { number: 56, is_north: false }.definition(),
+        "+proj=utm +zone=56 +south +datum=WGS84"
+    );
 }
 
 fn compiled(path: &std::path::Path) -> Snapshot {

@@ -441,6 +441,7 @@ fn all_that_can_be_read_is_read_as_it_was_written() {
         TrackerFix,
         TrackerOptions<'static>,
         Turn,
+        VehicleOutline,
         VehiclePose,
         Waypoint,
         WithTurns<ShortestLength>,

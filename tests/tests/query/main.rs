@@ -54,6 +54,8 @@ mod object_queries;
 mod object_shapes;
 // The vocabulary of signals and objects: codes of many catalogues, the corpus, and a country that is only a file.
 mod ontology;
+// The share of a vehicle that lies in a lane.
+mod outlines;
 // Overlays: what is refused, when entries hold, what a view says.
 mod overlays;
 // Overlays: a line along lanes that links join means all of them, however short they are and whatever lies over them.

@@ -2,7 +2,7 @@
 //! refused by name where pose, covariance or options are wrong.
 
 use mapd_client::glam::{DMat3, DVec2, DVec3};
-use mapd_client::localisation::{LaneMatch, MatchError, MatchOptions, VehiclePose};
+use mapd_client::localisation::{LaneMatch, MatchError, MatchOptions, VehicleOutline, VehiclePose};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{LaneId, LaneTypes, Map, Nearest, NearestOptions, Point};
 use mapd_tests::maps::{self, Random};
@@ -74,6 +74,12 @@ fn directions(map: Map<'_>, found: &Nearest) -> Vec<(bool, f64)> {
     all
 }
 
+/// A place on a vehicle, ahead and to the left of its pose's.
+fn place_on(outline: &VehicleOutline, random: &mut Random) -> DVec2 {
+    let VehicleOutline { front, back, left, right } = *outline;
+    DVec2::new(random.between(-back, front), random.between(-right, left))
+}
+
 /// Probabilities by drawing places from the pose's density and asking which lanes hold them; with their standard errors.
 fn drawn(
     map: Map<'_>,
@@ -98,7 +104,9 @@ fn drawn(
     for _ in 0..draws {
         let away = root * DVec3::new(normal(random), normal(random), 0.0);
         let away = away.truncate();
-        holders(map, pose.position.xy + away, &mut found);
+        let on_it = options.outline.map_or(DVec2::ZERO, |outline| place_on(&outline, random));
+        let there = away + DVec2::from_angle(pose.heading).rotate(on_it);
+        holders(map, pose.position.xy + there, &mut found);
         for one in &found {
             for (forward, heading) in directions(map, one) {
                 let turn = wrapped(heading - pose.heading - gain.dot(away));
@@ -129,7 +137,7 @@ fn drawn(
 }
 
 /// Poses around lanes of a map, each against Monte Carlo integration; the largest number of candidates with a per mille.
-fn check_drawn(map: Map<'_>, seed: u64, poses: usize) -> usize {
+fn check_drawn(map: Map<'_>, seed: u64, poses: usize, outline: Option<VehicleOutline>) -> usize {
     let mut random = Random(seed);
     let (mut out, mut found, mut most) = (Vec::new(), Vec::new(), 0);
     let mut asked = 0;
@@ -143,7 +151,7 @@ fn check_drawn(map: Map<'_>, seed: u64, poses: usize) -> usize {
         let heading = first.position.heading + random.between(-0.3, 0.3);
         let beside = DVec2::new(random.between(-2.0, 2.0), random.between(-2.0, 2.0));
         let pose = pose(point + beside, heading);
-        let options = MatchOptions { drive_deviation: 0.15, ..MatchOptions::default() };
+        let options = MatchOptions { drive_deviation: 0.15, outline, ..MatchOptions::default() };
         let none = map.match_pose(&pose, &spread, &options, &mut out).expect("an answer");
         let (expected, none_expected) = drawn(map, &pose, spread, &options, (&mut random, 6000));
         let close = |what: &str, got: f64, [mean, error]: [f64; 2]| {
@@ -177,11 +185,24 @@ fn check_drawn(map: Map<'_>, seed: u64, poses: usize) -> usize {
 fn probabilities_are_those_of_monte_carlo_integration() {
     for (name, poses) in [("town.xodr", 40), ("one_road.xodr", 24)] {
         let snapshot = maps::open(&carried(name));
-        let most = check_drawn(snapshot.map(), 5, poses);
+        let most = check_drawn(snapshot.map(), 5, poses, None);
         assert!(most >= 3, "{name}: never more than {most} lanes compete");
     }
     let snapshot = maps::open_text(&crossroads::furnished());
-    assert!(check_drawn(snapshot.map(), 6, 24) >= 5);
+    assert!(check_drawn(snapshot.map(), 6, 24, None) >= 5);
+}
+
+#[test]
+fn shares_of_an_outline_are_those_of_monte_carlo_integration() {
+    let car = VehicleOutline { front: 3.6, back: 1.0, left: 0.9, right: 0.9 };
+    let trailer = VehicleOutline { front: 0.0, back: 13.0, left: 1.2, right: 1.3 };
+    for (name, outline, poses) in [("town.xodr", car, 20), ("one_road.xodr", trailer, 12)] {
+        let snapshot = maps::open(&carried(name));
+        let most = check_drawn(snapshot.map(), 8, poses, Some(outline));
+        assert!(most >= 3, "{name}: never more than {most} lanes compete");
+    }
+    let snapshot = maps::open_text(&crossroads::furnished());
+    assert!(check_drawn(snapshot.map(), 9, 12, Some(car)) >= 5);
 }
 
 /// Poses drawn from the model: of all candidates to which it gives a probability, that share must be where the vehicle is.

@@ -72,6 +72,7 @@ fn the_command_line_lists_a_row_for_each() {
     let asking = mapd::commands::query::Asking {
         document: "the document",
         options: &options,
+        outline: None,
         route: &route,
         format: mapd::commands::query::Format::Csv,
     };

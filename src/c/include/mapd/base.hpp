@@ -535,10 +535,32 @@ class Projector : public detail::Owner<mapd_projector, mapd_projector_close> {
   Result<Vec3> try_from_geodetic(Geodetic place) const {
     return detail::value<Vec3>([&](auto... out) { return mapd_from_geodetic(get(), place, out...); });
   }
+  /// The points at many places on Earth; of an error the answers before its place are written. `out` has as many entries as `places`.
+  Error try_from_geodetic(span<const Geodetic> places, span<Vec3> out) const {
+    return detail::batch(places, out, [&](auto... rest) { return mapd_from_geodetic_batch(get(), rest...); });
+  }
+  /// Heading of true north at points of the map [rad], counter-clockwise from x. `out` has as many entries as `points`.
+  Error try_north_at(span<const Vec3> points, span<double> out) const {
+    return detail::batch(points, out, [&](auto... rest) { return mapd_north_at_batch(get(), rest...); });
+  }
+  /// East, north and up [m] of points of the map, from a point of the map. `out` has as many entries as `points`.
+  Error try_to_enu(Vec3 origin, span<const Vec3> points, span<Vec3> out) const {
+    return detail::batch(points, out, [&](auto... rest) { return mapd_to_enu_batch(get(), origin, rest...); });
+  }
+  /// The points of the map at easts, norths and ups [m] from a point of the map. `out` has as many entries as `places`.
+  Error try_from_enu(Vec3 origin, span<const Vec3> places, span<Vec3> out) const {
+    return detail::batch(places, out, [&](auto... rest) { return mapd_from_enu_batch(get(), origin, rest...); });
+  }
 #if MAPD_EXCEPTIONS
   Geodetic to_geodetic(Vec3 point) const { return try_to_geodetic(point).value(); }
   void to_geodetic(span<const Vec3> points, span<Geodetic> out) const { detail::must(try_to_geodetic(points, out)); }
   Vec3 from_geodetic(Geodetic place) const { return try_from_geodetic(place).value(); }
+  void from_geodetic(span<const Geodetic> places, span<Vec3> out) const { detail::must(try_from_geodetic(places, out)); }
+  void north_at(span<const Vec3> points, span<double> out) const { detail::must(try_north_at(points, out)); }
+  void to_enu(Vec3 origin, span<const Vec3> points, span<Vec3> out) const { detail::must(try_to_enu(origin, points, out)); }
+  void from_enu(Vec3 origin, span<const Vec3> places, span<Vec3> out) const {
+    detail::must(try_from_enu(origin, places, out));
+  }
 #endif
 };
 

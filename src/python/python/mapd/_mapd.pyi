@@ -401,6 +401,7 @@ class Map:
         closed: float = 0.05,
         expected: Sequence[_LaneRef] | None = None,
         unexpected: float = 0.05,
+        outline: Sequence[float] | None = None,
     ) -> PoseMatch: ...
     @overload
     def match_pose(
@@ -417,12 +418,14 @@ class Map:
         closed: float = 0.05,
         expected: Sequence[_LaneRef] | None = None,
         unexpected: float = 0.05,
+        outline: Sequence[float] | None = None,
     ) -> LaneMatches:
         """The lanes that vehicles may be in, and the probability that they are in none (docs/localisation.md).
 
         `heading` [rad]; `covariance` of (x, y, heading) [m^2, m rad, rad^2], one (3, 3) for all or (N, 3, 3). `drive_deviation` [rad] is
         how drivers deviate from their lane's direction, `none` the prior of no lane; `closed` and `unexpected` are the shares of the
-        prior that lanes have which `vehicle` may not use, and which are not among `expected`.
+        prior that lanes have which `vehicle` may not use, and which are not among `expected`. With `outline`, how far the vehicle reaches
+        ahead, back, left and right of the point [m], a lane counts by the share of the vehicle that lies in it.
         """
     def match_trace(
         self,
@@ -470,6 +473,24 @@ class Map:
     @overload
     def from_geodetic(self, places: _Points) -> Inertials:
         """Inertial points [m] of latitude, longitude [deg] and, if given, altitude [m] on WGS 84."""
+    @overload
+    def north_at(self, points: _Point) -> float: ...
+    @overload
+    def north_at(self, points: _Points) -> NDArray[np.float64]:
+        """Heading of true north [rad] at a point, or at each of many, counter-clockwise from x.
+
+        A heading that a receiver gives clockwise from true north is this minus that one.
+        """
+    @overload
+    def to_enu(self, points: _Point, origin: _Point) -> tuple[float, float, float]: ...
+    @overload
+    def to_enu(self, points: _Points, origin: _Point) -> Inertials:
+        """East, north and up [m] of points, from `origin`, a point of the map: the topocentric frame, in the plane that touches the Earth there."""
+    @overload
+    def from_enu(self, places: _Point, origin: _Point) -> tuple[float, float, float]: ...
+    @overload
+    def from_enu(self, places: _Points, origin: _Point) -> Inertials:
+        """Inertial points [m] of easts, norths and, if given, ups [m] from `origin`, a point of the map."""
     def route(
         self,
         start: _Place,
@@ -1210,6 +1231,7 @@ class View:
         closed: float = 0.05,
         expected: Sequence[_LaneRef] | None = None,
         unexpected: float = 0.05,
+        outline: Sequence[float] | None = None,
     ) -> PoseMatch: ...
     @overload
     def match_pose(
@@ -1226,6 +1248,7 @@ class View:
         closed: float = 0.05,
         expected: Sequence[_LaneRef] | None = None,
         unexpected: float = 0.05,
+        outline: Sequence[float] | None = None,
     ) -> LaneMatches:
         """As Map.match_pose: a lane that is closed to the vehicle now has the prior of closed ones."""
 
@@ -1262,6 +1285,7 @@ class Tracker:
         correlation_time: float = 0.0,
         memory: float = 30.0,
         enough: float = 0.5,
+        outline: Sequence[float] | None = None,
     ) -> Tracker: ...
     @overload
     def update(

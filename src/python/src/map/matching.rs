@@ -12,9 +12,11 @@ impl Map {
     ///
     /// `heading` [rad]; `covariance` of (x, y, heading) [m^2, m rad, rad^2], one (3, 3) for all or (N, 3, 3). `drive_deviation` [rad] is
     /// how drivers deviate from their lane's direction, `none` the prior of no lane; `closed` and `unexpected` are the shares of the
-    /// prior that lanes have which `vehicle` may not use, and which are not among `expected`.
+    /// prior that lanes have which `vehicle` may not use, and which are not among `expected`. With `outline`, how far the vehicle reaches
+    /// ahead, back, left and right of the point [m], a lane counts by the share of the vehicle that lies in it.
     #[pyo3(signature = (points, heading, covariance, *, types = None, z_tolerance = None,
-        drive_deviation = 0.1, none = 0.01, vehicle = None, closed = 0.05, expected = None, unexpected = 0.05))]
+        drive_deviation = 0.1, none = 0.01, vehicle = None, closed = 0.05, expected = None, unexpected = 0.05,
+        outline = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn match_pose<'py>(
         &self,
@@ -30,6 +32,7 @@ impl Map {
         closed: f64,
         expected: Option<Vec<Bound<'py, PyAny>>>,
         unexpected: f64,
+        outline: Option<[f64; 4]>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let expected = crate::input::lanes_of(self.map(), expected.as_deref())?;
         let options = MatchOptions {
@@ -41,6 +44,7 @@ impl Map {
             closed,
             expected: &expected,
             unexpected,
+            outline: outline.map(crate::matching::outline),
         };
         let map = self.map();
         crate::matching::match_pose(py, &self.0, points, heading, covariance, |pose, own, out| {

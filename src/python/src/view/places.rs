@@ -147,7 +147,8 @@ impl View {
 
     /// As Map.match_pose: a lane that is closed to the vehicle now has the prior of closed ones.
     #[pyo3(signature = (points, heading, covariance, *, types = None, z_tolerance = None,
-        drive_deviation = 0.1, none = 0.01, vehicle = None, closed = 0.05, expected = None, unexpected = 0.05))]
+        drive_deviation = 0.1, none = 0.01, vehicle = None, closed = 0.05, expected = None, unexpected = 0.05,
+        outline = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn match_pose<'py>(
         &self,
@@ -163,6 +164,7 @@ impl View {
         closed: f64,
         expected: Option<Vec<Bound<'py, PyAny>>>,
         unexpected: f64,
+        outline: Option<[f64; 4]>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let expected = crate::input::lanes_of(self.held.map(), expected.as_deref())?;
         let types = types.map_or(Ok(mapd_client::LaneTypes::ALL), crate::input::types_of)?;
@@ -176,6 +178,7 @@ impl View {
             closed,
             expected: &expected,
             unexpected,
+            outline: outline.map(crate::matching::outline),
         };
         let view = self.view();
         crate::matching::match_pose(

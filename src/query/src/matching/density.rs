@@ -6,11 +6,11 @@ use mapd_geometry::normalize_angle;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 
 /// Standard deviation of the map itself `[m]`, added to every pose's: nothing is known more exactly, and it lets a pose be exact.
-const MAP_DEVIATION: f64 = 1e-3;
+pub(super) const MAP_DEVIATION: f64 = 1e-3;
 /// As [`MAP_DEVIATION`], of directions `[rad]`.
 const MAP_HEADING_DEVIATION: f64 = 1e-4;
 /// Deviations out to which lanes count: what lies beyond has 1.5e-8 of a position's probability.
-const REACH: f64 = 6.0;
+pub(super) const REACH: f64 = 6.0;
 /// Deviation of the heading `[rad]` from which on every direction is equally probable, within 1e-5 of it.
 const UNKNOWN_HEADING: f64 = 5.0;
 /// Density of a heading of which nothing is known `[1/rad]`.
@@ -28,6 +28,20 @@ pub(super) struct CrossLine {
     pub(super) curvature: f64,
     pub(super) low: f64,
     pub(super) high: f64,
+}
+
+impl CrossLine {
+    /// Without what lies beyond the centre of curvature: there is no area of this s.
+    #[inline]
+    pub(super) fn within_curvature(&self) -> Self {
+        let mut line = *self;
+        if line.curvature > 0.0 {
+            line.high = line.high.min(1.0 / line.curvature);
+        } else if line.curvature < 0.0 {
+            line.low = line.low.max(1.0 / line.curvature);
+        }
+        line
+    }
 }
 
 /// The normal density of (x, y, heading) relative to a pose's place; headings a turn apart are one.
@@ -96,15 +110,37 @@ impl PoseDensity {
         1.0 / square.sqrt()
     }
 
+    /// Inverse of the position's covariance given the heading, and by how much its mean moves with a direction that differs from the pose's
+    /// heading `[m/rad]`.
+    pub(super) fn given_heading(&self) -> (DMat2, DVec2) {
+        if !self.knows_heading() {
+            return (self.plane, DVec2::ZERO);
+        }
+        let [x, y, turn] = [self.precision.x_axis, self.precision.y_axis, self.precision.z_axis];
+        let own = DMat2::from_cols(x.truncate(), y.truncate());
+        (own, -(own.inverse() * turn.truncate()))
+    }
+
+    /// Tells of every turn that leads from the pose's heading to a direction, with its density.
+    pub(super) fn each_turn(&self, direction: f64, mut tell: impl FnMut(f64, f64)) {
+        if !self.knows_heading() {
+            return tell(ANY_HEADING, 0.0);
+        }
+        let turn = normalize_angle(direction - self.heading);
+        let limit = REACH * self.heading_deviation;
+        let turns = ((limit + PI) / TAU).floor() as i32;
+        for whole in -turns..=turns {
+            let turn = turn + f64::from(whole) * TAU;
+            if turn.abs() <= limit {
+                let z = turn / self.heading_deviation;
+                tell(libm::exp(-0.5 * z * z) / (TAU.sqrt() * self.heading_deviation), turn);
+            }
+        }
+    }
+
     /// Integral of the density times 1 − κ·l along a line across.
     pub(super) fn integral(&self, line: &CrossLine) -> f64 {
-        let mut line = *line;
-        // Beyond the centre of curvature there is no area of this s.
-        if line.curvature > 0.0 {
-            line.high = line.high.min(1.0 / line.curvature);
-        } else if line.curvature < 0.0 {
-            line.low = line.low.max(1.0 / line.curvature);
-        }
+        let line = line.within_curvature();
         // Also where one is no number.
         let has_area = line.low < line.high;
         if !has_area {
@@ -155,7 +191,7 @@ fn normal_between([a, b, c]: [f64; 3], line: &CrossLine) -> f64 {
 }
 
 /// Share of the standard normal distribution between two values, exact in its tails as well.
-fn share_between(low: f64, high: f64) -> f64 {
+pub(super) fn share_between(low: f64, high: f64) -> f64 {
     let beyond = |x: f64| 0.5 * libm::erfc(x * FRAC_1_SQRT_2);
     if low >= 0.0 {
         beyond(low) - beyond(high)

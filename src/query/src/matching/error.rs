@@ -71,7 +71,7 @@ pub(super) fn check_options(options: &MatchOptions<'_>) -> Result<(), MatchError
     ];
     match rules.iter().find(|(_, holds)| !holds) {
         Some((name, _)) => Err(MatchError::Option(name)),
-        None => Ok(()),
+        None => options.outline.map_or(Ok(()), |outline| outline.check()),
     }
 }
 

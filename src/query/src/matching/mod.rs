@@ -8,12 +8,14 @@
 
 mod density;
 mod error;
+mod footprint;
 mod spread;
 mod stretch;
 mod trace;
 mod tracker;
 
 pub use error::MatchError;
+pub use footprint::VehicleOutline;
 pub use trace::{TraceFix, TraceMatch, TraceOptions, TracePosition, TraceScratch};
 pub use tracker::{Tracked, Tracker, TrackerFix, TrackerOptions};
 
@@ -28,6 +30,7 @@ use crate::nearest::{LaneTypes, round_up};
 use crate::route::Ways;
 use crate::types::{LanePosition, Point, turned};
 use density::PoseDensity;
+use footprint::Footprint;
 use glam::{DMat3, DVec2};
 use mapd_archive::{NONE, VehicleClass};
 use mapd_geometry::normalize_angle;
@@ -74,6 +77,8 @@ pub struct MatchOptions<'a> {
     /// Share of the prior that lanes have which are not expected, in (0, 1]: routes are left, and last lanes were wrong.
     /// Default 0.05.
     pub unexpected: f64,
+    /// Plan view of the vehicle: a lane's weight is then the share of the vehicle that lies in it. Default none: where the pose's place lies counts.
+    pub outline: Option<VehicleOutline>,
 }
 
 impl Default for MatchOptions<'_> {
@@ -87,6 +92,7 @@ impl Default for MatchOptions<'_> {
             closed: UNLIKELY,
             expected: &[],
             unexpected: UNLIKELY,
+            outline: None,
         }
     }
 }
@@ -115,7 +121,7 @@ impl Map<'_> {
     /// The lanes that a vehicle may be in by a measured pose, the most probable first; returns the probability that it is in
     /// none. With the rest of `out` that makes 1, but for what candidates below 1e-9 have. `covariance` is that of (x, y, heading) in `[m²]`,
     /// `[m·rad]` and `[rad²]`; a heading that is not known has a large one (from 25 rad² on it counts for nothing). Lanes count
-    /// out to six of the largest deviations. `out` is emptied first; it grows only if its capacity is too small.
+    /// out to six of the largest deviations, from the vehicle's outline if there is one. `out` is emptied first; it grows only if its capacity is too small.
     ///
     /// Errors: numbers that are not finite; a covariance that is not symmetric and positive semi-definite, with the place of
     /// what is wrong; options out of their domain.
@@ -133,13 +139,13 @@ impl Map<'_> {
     fn weigh(
         &self,
         (pose, local): (&VehiclePose, DVec2),
-        density: &PoseDensity,
+        (density, footprint): (&PoseDensity, Option<&Footprint>),
         options: &MatchOptions<'_>,
         most: usize,
         out: &mut Vec<LaneMatch>,
     ) {
         let heights = pose.position.z.zip(options.z_tolerance).map(|(z, by)| [z - by, z + by]);
-        let reach = round_up(density.reach);
+        let reach = round_up(density.reach + footprint.map_or(0.0, Footprint::radius));
         index::visit(self.tables(), local, heights, reach, |leaf, qx, qy, bound| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let lower = index::lower_bounds(leaf, qx, qy, heights);
@@ -158,8 +164,11 @@ impl Map<'_> {
                 let ways = [lane.is_forward(), !lane.is_forward()];
                 let ways = if lane.is_bidirectional() { &ways[..] } else { &ways[..1] };
                 for forward in ways.iter().copied() {
-                    let weight =
-                        stretch::weight((&lane, &slab), place.s(), local, density, forward);
+                    let (stretch, foot) = ((&lane, &slab), place.s());
+                    let weight = match footprint {
+                        None => stretch::weight(stretch, foot, local, density, forward),
+                        Some(vehicle) => vehicle.weight(stretch, foot, local, density, forward),
+                    };
                     let id = lane.lane_id();
                     match out.iter_mut().find(|m| m.lane == id && m.forward == forward) {
                         Some(known) => {
@@ -239,7 +248,10 @@ pub(crate) fn match_at_most<'a>(
     let map = ways.map();
     let local = pose.position.xy - map.origin();
     let density = PoseDensity::new(pose.heading, covariance, options.drive_deviation)?;
-    map.weigh((pose, local), &density, options, most, out);
+    let none = options.none * density::ANY_HEADING;
+    let outline = options.outline.as_ref();
+    let footprint = outline.and_then(|own| Footprint::new(own, pose.heading, &density, none));
+    map.weigh((pose, local), (&density, footprint.as_ref()), options, most, out);
     let prior = |found: &LaneMatch| {
         let lane = map.lane(found.lane).ok();
         let node = || ways.node(ways.at(&lane?, found.position.s, found.forward)?);

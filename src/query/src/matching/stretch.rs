@@ -20,7 +20,32 @@ const PART: f64 = 2.0;
 /// Most parts of a stretch: a pose known a hundred times better across than along is integrated more coarsely.
 const MAX_PARTS: usize = 64;
 /// Least share of s that counts as passed beside a bend's inner side, where a window of s is laid around a place.
-const MIN_STRETCH: f64 = 0.2;
+pub(super) const MIN_STRETCH: f64 = 0.2;
+
+/// The line across a lane at s, from the place `local`.
+#[inline]
+pub(super) fn cross_line(
+    lane: &Lane<'_>,
+    slab: &Slab<'_>,
+    s: f64,
+    local: DVec2,
+    forward: bool,
+) -> CrossLine {
+    let at = slab.at(s);
+    let point = slab.piece.curve.evaluate(at.s - slab.piece.s);
+    let edges = lane.edge_slopes(at);
+    let roll = lane.road.roll(at).0;
+    let (a, b) = (edges.inner.value * roll, edges.outer.value * roll);
+    let heading = if forward { point.heading } else { turned(point.heading) };
+    CrossLine {
+        foot: DVec2::new(point.x, point.y) - local,
+        normal: DVec2::new(-point.sin, point.cos),
+        direction: heading,
+        curvature: point.curvature,
+        low: a.min(b),
+        high: a.max(b),
+    }
+}
 
 /// The integral over a stretch, of which `foot` is the s nearest to the pose's place `local`.
 pub(super) fn weight(
@@ -30,22 +55,7 @@ pub(super) fn weight(
     density: &PoseDensity,
     forward: bool,
 ) -> f64 {
-    let cut = |s: f64| {
-        let at = slab.at(s);
-        let point = slab.piece.curve.evaluate(at.s - slab.piece.s);
-        let edges = lane.edge_slopes(at);
-        let roll = lane.road.roll(at).0;
-        let (a, b) = (edges.inner.value * roll, edges.outer.value * roll);
-        let heading = if forward { point.heading } else { turned(point.heading) };
-        CrossLine {
-            foot: DVec2::new(point.x, point.y) - local,
-            normal: DVec2::new(-point.sin, point.cos),
-            direction: heading,
-            curvature: point.curvature,
-            low: a.min(b),
-            high: a.max(b),
-        }
-    };
+    let cut = |s: f64| cross_line(lane, slab, s, local, forward);
     let at_foot = cut(foot);
     let stretch = |l: f64| 1.0 - at_foot.curvature * l;
     let least = stretch(at_foot.low).min(stretch(at_foot.high)).max(MIN_STRETCH);

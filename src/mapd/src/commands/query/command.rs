@@ -8,6 +8,7 @@ use crate::exit::{Exit, UsageError};
 use crate::source;
 use anyhow::{Result, bail};
 use clap::Args;
+use mapd_client::localisation::VehicleOutline;
 use mapd_client::view::View;
 use mapd_client::{NearestOptions, Snapshot};
 use std::io::{self, Write};
@@ -83,6 +84,9 @@ pub(crate) struct QueryCommand {
     /// nearest: largest difference from the lane's driving direction [rad], if the input has hdg
     #[arg(long, value_name = "RAD", value_parser = not_negative)]
     heading_tolerance: Option<f64>,
+    /// match: how far the vehicle reaches ahead, back, left and right of x, y [m]: a lane counts by the share of the vehicle in it
+    #[arg(long, value_name = "FRONT,BACK,LEFT,RIGHT", value_parser = super::matching::outline)]
+    outline: Option<VehicleOutline>,
     #[command(flatten)]
     route: RouteArgs,
     #[command(flatten)]
@@ -106,8 +110,13 @@ impl QueryCommand {
         let Some(snapshot) = self.opening.open(&self.source)? else { return Ok(Exit::Rejected) };
         let is_compiled = source::is_compiled(&self.source);
         let document = if is_compiled { "the document" } else { &*self.source };
-        let asking =
-            Asking { document, options: &options, route: &self.route, format: self.format.get() };
+        let asking = Asking {
+            document,
+            options: &options,
+            outline: self.outline,
+            route: &self.route,
+            format: self.format.get(),
+        };
         let view = self.view(&snapshot)?;
         run_under(view, self.kind, asking, io::stdin().lock(), out).map_err(usage_of)?;
         Ok(Exit::Done)

@@ -63,7 +63,7 @@ impl<'a> Holes<'a> {
                 }
             }
             Kind::Match => {
-                if let Ok((point, radius)) = super::matching::circle(row) {
+                if let Ok((point, radius)) = super::matching::circle(row, tools.outline) {
                     parts.add(self.map.quarantined_near(point, radius));
                 }
             }

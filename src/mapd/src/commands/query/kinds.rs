@@ -7,6 +7,7 @@ use super::route::Router;
 use super::row::Row;
 use super::{besides, landmarks, localising, matching, signals};
 use clap::ValueEnum;
+use mapd_client::localisation::VehicleOutline;
 use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
 use mapd_query::route::PositionOnLane;
@@ -77,6 +78,8 @@ pub(crate) struct Tools<'a> {
     pub(super) earth: Earth,
     /// What is left out of the map.
     pub(super) holes: Holes<'a>,
+    /// Plan view of the vehicles.
+    pub(super) outline: Option<VehicleOutline>,
 }
 
 impl Kind {
@@ -222,7 +225,7 @@ impl Kind {
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
-        let Tools { router, earth, holes, .. } = &mut *tools;
+        let Tools { router, earth, holes, outline, .. } = &mut *tools;
         match self {
             Self::Inertial => {
                 let road = road(holes, map, row)?;
@@ -253,7 +256,7 @@ impl Kind {
                 numbers(out, &[edges.width(), edges.inner, edges.outer, p.x, p.y, p.z, hdg]);
             }
             Self::Nearest => nearest(map, options, point_in(row, earth)?, row, out)?,
-            Self::Match => matching::answer(map, options, row, out)?,
+            Self::Match => matching::answer(map, options, *outline, row, out)?,
             Self::Ground => localising::ground(map, point(row)?, out)?,
             Self::NearestMarks => localising::mark(map, point(row)?, options, out)?,
             Self::Geodetic => {

@@ -2,7 +2,7 @@
 
 use super::kinds::{number, numbers};
 use super::row::Row;
-use mapd_client::localisation::{LaneMatch, MatchOptions, VehiclePose};
+use mapd_client::localisation::{LaneMatch, MatchOptions, VehicleOutline, VehiclePose};
 use mapd_client::{Map, NearestOptions, Point};
 use mapd_query::glam::{DMat3, DVec2, DVec3};
 
@@ -11,11 +11,14 @@ pub(super) const COLUMNS: &[&str] =
     &["lane", "direction", "probability", "s", "offset", "heading_difference", "mahalanobis"];
 /// Deviations around a pose in which parts in quarantine are named: as far as lanes count.
 const REACH: f64 = 6.0;
+/// Largest size of an outline to each side `[m]`.
+const MOST_SIZE: f64 = 100.0;
 
 /// A row for each lane that the pose may be in, the most probable first, and one for `none`, where it is by its probability.
 pub(super) fn answer(
     map: Map<'_>,
     nearest: &NearestOptions,
+    outline: Option<VehicleOutline>,
     row: &Row<'_>,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
@@ -27,6 +30,7 @@ pub(super) fn answer(
     let options = MatchOptions {
         types: nearest.types,
         z_tolerance: nearest.z_tolerance,
+        outline,
         ..MatchOptions::default()
     };
     let covariance = DMat3::from_diagonal(deviations * deviations);
@@ -68,7 +72,25 @@ fn deviations(row: &Row<'_>) -> Result<DVec3, String> {
 }
 
 /// Where lanes count.
-pub(super) fn circle(row: &Row<'_>) -> Result<(DVec2, f64), String> {
+pub(super) fn circle(
+    row: &Row<'_>,
+    outline: Option<VehicleOutline>,
+) -> Result<(DVec2, f64), String> {
     let deviations = deviations(row)?;
-    Ok((place(row)?, REACH * deviations.x.max(deviations.y)))
+    let radius = outline
+        .map_or(0.0, |own| DVec2::new(own.front.max(own.back), own.left.max(own.right)).length());
+    Ok((place(row)?, REACH * deviations.x.max(deviations.y) + radius))
+}
+
+/// Reads `FRONT,BACK,LEFT,RIGHT`.
+///
+/// Errors: that is not four sizes.
+pub(super) fn outline(text: &str) -> Result<VehicleOutline, String> {
+    let size =
+        |part: &str| part.trim().parse::<f64>().ok().filter(|n| (0.0..=MOST_SIZE).contains(n));
+    let sizes: Option<Vec<f64>> = text.split(',').map(size).collect();
+    match sizes.as_deref() {
+        Some(&[front, back, left, right]) => Ok(VehicleOutline { front, back, left, right }),
+        _ => Err("expected FRONT,BACK,LEFT,RIGHT, each 0 to 100 m".to_owned()),
+    }
 }

@@ -23,6 +23,7 @@ pub(crate) use command::{HELP, QueryCommand};
 pub use kinds::Kind;
 use kinds::Tools;
 use mapd_client::Map;
+use mapd_client::localisation::VehicleOutline;
 use mapd_query::NearestOptions;
 use mapd_query::view::View;
 pub use output::Format;
@@ -66,6 +67,8 @@ pub struct Asking<'a> {
     pub document: &'a str,
     /// What counts as near.
     pub options: &'a NearestOptions,
+    /// Plan view of the vehicles whose poses are matched.
+    pub outline: Option<VehicleOutline>,
     /// How routes are searched.
     pub route: &'a RouteArgs,
     /// How answers are written.
@@ -95,7 +98,7 @@ pub fn run_under(
     input: impl Read,
     output: impl Write,
 ) -> Result<(), QueryRunError> {
-    let Asking { document, options, route, format } = asking;
+    let Asking { document, options, outline, route, format } = asking;
     let map = view.map();
     let mut reader =
         csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
@@ -132,6 +135,7 @@ pub fn run_under(
         paths: path::Paths::default(),
         earth: earth::Earth::new(map),
         holes: holes::Holes::new(map, document),
+        outline,
     };
     while reader.read_record(&mut record)? {
         answer.clear();
