@@ -16,8 +16,8 @@ const RUNS: [usize; 2] = [500, 2_500];
 /// Kinds of [`query_probe`](../planner/src/bin/query_probe.rs) and the instructions that one query may take on the carried town:
 /// what it took when the bound was set, and a twentieth.
 const BOUNDS: [(&str, u64); 12] = [
-    ("nearest", 3_980),
-    ("trajectory", 3_615),
+    ("nearest", 3_735),
+    ("trajectory", 3_355),
     ("beside", 24_550),
     ("hinted", 6_930),
     ("inertial", 520),

@@ -53,7 +53,7 @@ impl Slab<'_> {
 }
 
 /// The slab of a segment of the lane's centre line, by its number within the line.
-#[inline]
+#[inline(always)]
 pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
     let ends = segment_ends(lane.map.tables(), lane.section.row, lane.row, segment)?;
     let (lo, hi) = exact_ends(lane, segment, ends)?;
