@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::sync::Barrier;
 use std::time::{Duration, Instant};
 
 /// Fresh processes of each kind.
@@ -31,6 +32,26 @@ fn time(prefix: &str, how: &str, what: &str) -> (Duration, String) {
     out.read_to_string(&mut rest).expect("the rest");
     assert!(child.wait().expect("ends").success());
     (taken, rest)
+}
+
+/// Processes that are all started at once, as at boot, and how often.
+const AT_ONCE: [usize; 2] = [33, 200];
+const BOOTS: usize = 7;
+
+/// From when the first of so many processes is started until the last has its answer.
+fn at_once(count: usize, prefix: &str, how: &str, what: &str) -> Duration {
+    let barrier = Barrier::new(count);
+    let spans: Vec<(Instant, Instant)> = std::thread::scope(|scope| {
+        let start = || {
+            barrier.wait();
+            let begun = Instant::now();
+            (begun, begun + time(prefix, how, what).0)
+        };
+        let threads: Vec<_> = (0..count).map(|_| scope.spawn(start)).collect();
+        threads.into_iter().map(|thread| thread.join().expect("answered")).collect()
+    });
+    let first = spans.iter().map(|(begun, _)| *begun).min().expect("some");
+    spans.iter().map(|(_, ended)| *ended).max().expect("some") - first
 }
 
 /// Medians of the phases of an attach.
@@ -124,15 +145,17 @@ fn one_of_many() {
     let domains = prefixes.each_ref().map(|prefix| Domain::new(prefix).expect("a prefix"));
     let mut servers = domains.each_ref().map(|domain| Server::start(domain).expect("starts"));
     let start = Instant::now();
-    for number in 0..MANY {
-        publish(&mut servers[0], &format!("m{number}"), archive.bytes());
+    let names: Vec<String> = (0..MANY).map(|number| format!("m{number}")).collect();
+    // All at once, as a daemon does.
+    servers[0].claim_all(names.iter().map(String::as_str)).expect("claims");
+    for name in &names {
+        publish(&mut servers[0], name, archive.bytes());
     }
     let taken = start.elapsed();
     publish(&mut servers[1], "m", archive.bytes());
-    let middle = format!("m{}", MANY / 2);
     let (mut many, mut one) = (Vec::new(), Vec::new());
     for _ in 0..TURNS {
-        many.extend(attaches(&prefixes[0], &middle));
+        many.extend(attaches(&prefixes[0], &names[MANY / 2]));
         one.extend(attaches(&prefixes[1], "m"));
     }
     told(
@@ -268,6 +291,15 @@ fn main() {
             }
             print(&format!("  phases, medians: {}", phases(&reports)));
             beside_c(folder.path(), &prefix, name);
+            for count in AT_ONCE {
+                let (mut shared, mut file) = (Vec::new(), Vec::new());
+                for _ in 0..BOOTS {
+                    shared.push(at_once(count, &prefix, "shm", name));
+                    file.push(at_once(count, &prefix, "file", &saved));
+                }
+                let what = format!("{count} processes at once, until the last answers, observer");
+                told(&what, shared, "open+mmap", file);
+            }
             stop.request();
         });
         let _ = std::fs::remove_dir_all(domain.root());
