@@ -98,7 +98,7 @@ impl<'a> ArcLength<'a> {
             } else {
                 below = p;
             }
-            // Newton's step, and how the speed changes on it (Halley).
+            // Newton's step, and how the speed changes on it (Chebyshev's method).
             let first = self.cubics.first(p);
             let squared = first.length_squared();
             let step = excess / squared.sqrt();
