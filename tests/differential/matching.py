@@ -8,7 +8,9 @@
 Both measure how far a pose with a covariance lies from a lane's centre line, headed along the lane: the Mahalanobis
 distance. Lanelet2's squared one is Δp Σ⁻¹ Δp + κ² Δyaw², so that κ = 1 / √(σ_heading² + σ_drive²) asks both the same.
 For random poses on and beside lanes, the distance of each lane agrees, and with it the lanes' order; each lane that is a
-clear candidate of one is one of the other; and mapd's distance is that of the formula at the lane's centre. Prints a table
+clear candidate of one is one of the other; and mapd's distance is that of the formula at the lane's centre. The order of the
+candidates is compared pair by pair, where their distances differ by more than both may be off. Lanelet2's deterministic
+matching, by the distance from the lanelet's area, is compared with `mapd query SOURCE nearest`. Prints a table
 of how often what held, and ends with 1 where something differs for a reason that nobody gave.
 """
 
@@ -135,6 +137,25 @@ def by_mapd(one, poses, kinds):
     return answers
 
 
+def nearest_by_mapd(one, poses, kinds):
+    """Of each pose the nearest lane's distance [m], if there is one."""
+    rows = io.StringIO()
+    csv.writer(rows).writerows([["x", "y"], *(pose[:2] for pose, *_ in poses.poses)])
+    asked = ["query", one.source, "nearest", "--types", ",".join(kinds), "--radius", str(REACH)]
+    for row in csv.DictReader(io.StringIO(run(one.mapd, *asked, given=rows.getvalue()))):
+        yield float(row["distance"]) if row["lane"] else None
+
+
+def nearest_by_lanelet2(one, poses):
+    """Of each pose the least distance of its deterministic matches [m], if there are any, and whether that is of a lanelet of mapd's."""
+    own = {lanelet.id for lanelet in one.own}
+    for _, (x, y), heading, _, _ in poses.poses:
+        thing = matching.Object2d()
+        thing.pose = matching.Pose2d(x, y, heading)
+        found = [match.distance for match in matching.getDeterministicMatches(one.map, thing, REACH) if match.lanelet.id in own]
+        yield min(found, default=None)
+
+
 def by_lanelet2(one, poses):
     """Of each pose, the distance of each lane and direction, and the foot on Lanelet2's centre line with its heading."""
     own, lines = {lanelet.id for lanelet in one.own}, {}
@@ -184,6 +205,26 @@ class Comparison:
         kinds = sorted({one.lane(lanelet)["type"] for lanelet in one.own})
         for n, (mine, theirs) in enumerate(zip(by_mapd(one, poses, kinds), by_lanelet2(one, poses), strict=True)):
             self.pose(one, n, poses.poses[n], mine, theirs)
+            self.rank(poses.poses[n], mine, theirs)
+        for n, (mine, theirs) in enumerate(zip(nearest_by_mapd(one, poses, kinds), nearest_by_lanelet2(one, poses), strict=True)):
+            if mine is None or theirs is None:
+                near = min(distance for distance in (mine, theirs, REACH) if distance is not None) < REACH - 2 * PLACE
+                self.count("nearest known to one alone", (one.source.name, n, mine, theirs) if near else None)
+            else:
+                same = abs(mine - theirs) <= PLACE
+                self.count("nearest alike" if same else "nearest differs", None if same else (one.source.name, n, mine, theirs))
+
+    def rank(self, given, mine, theirs):
+        """Counts pairs of lanes that both know and whose distances are far from each other, by whether both put them in one order. Distances that agree
+        leave no choice; of those that differ, `pose` has told why."""
+        sx, sy, shdg = given[3]
+        allowed = PLACE / min(sx, sy) + TURN / math.hypot(shdg, DRIVE)
+        both = [key for key in mine if key in theirs]
+        for i, a in enumerate(both):
+            for b in both[i + 1 :]:
+                if abs(mine[a][0] - mine[b][0]) > 2 * allowed:
+                    same = (mine[a][0] < mine[b][0]) == (theirs[a][0] < theirs[b][0])
+                    self.count("pairs in one order" if same else "pairs in the other order, for a distance differs")
 
     def pose(self, one, n, given, mine, theirs):
         local, there, heading, deviations, turn = given

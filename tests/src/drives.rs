@@ -5,10 +5,12 @@ use mapd_client::SRange;
 use mapd_client::glam::{DMat3, DVec2, DVec3};
 use mapd_client::graph::LaneNode;
 use mapd_client::localisation::{
-    TraceFix, TraceOptions, TraceScratch, Tracker, TrackerFix, TrackerOptions, VehiclePose,
+    LaneMatch, MatchOptions, TraceFix, TraceOptions, TraceScratch, Tracker, TrackerFix,
+    TrackerOptions, VehiclePose,
 };
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{LaneId, LaneTypes, Map, NearestOptions, NodeId};
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Speed `[m/s]`.
@@ -192,4 +194,249 @@ pub fn accuracy(map: Map<'_>, noise: f64, every: usize, drives: u64) -> [f64; 2]
         }
     }
     right.map(|right| right / f64::max(all, 1.0))
+}
+
+/// Bins of stated probability.
+pub const BINS: usize = 5;
+/// Centre lines of lanes that are farther apart leave no doubt `[m]`.
+const APART: f64 = 1.2;
+/// Around a true place, in which other lanes count `[m]`.
+const AROUND: f64 = 6.0;
+/// Step along a lane, of the places where a vehicle may have been `[m]`.
+const PLACE_STEP: f64 = 0.1;
+/// Deviations of a place's distance from a fix, from which on it does not count.
+const FAR: f64 = 8.0;
+
+/// A lane that was said to be the one, and how probable.
+trait Guess {
+    fn lane(&self) -> LaneId;
+    fn probability(&self) -> f64;
+}
+
+impl Guess for LaneMatch {
+    fn lane(&self) -> LaneId {
+        self.lane
+    }
+
+    fn probability(&self) -> f64 {
+        self.probability
+    }
+}
+
+impl Guess for (LaneId, f64) {
+    fn lane(&self) -> LaneId {
+        self.0
+    }
+
+    fn probability(&self) -> f64 {
+        self.1
+    }
+}
+
+/// How often an answer was right.
+#[derive(Clone, Debug, Default)]
+pub struct Score {
+    /// Fixes, and those whose most probable lane is not the true one.
+    pub all: f64,
+    /// Of these.
+    pub wrong: f64,
+    /// The same of fixes where the centre lines of all other lanes are more than 1.2 m away from the true one.
+    pub all_apart: f64,
+    /// Of these.
+    pub wrong_apart: f64,
+    /// Of each bin of stated probability: hypotheses, the sum of what was stated, and how many were true.
+    pub bins: [[f64; 3]; BINS],
+}
+
+impl Score {
+    /// Adds the fixes of another.
+    pub fn add(&mut self, other: &Self) {
+        let counts = [
+            (&mut self.all, other.all),
+            (&mut self.wrong, other.wrong),
+            (&mut self.all_apart, other.all_apart),
+            (&mut self.wrong_apart, other.wrong_apart),
+        ];
+        counts.into_iter().for_each(|(own, more)| *own += more);
+        for (own, more) in self.bins.iter_mut().flatten().zip(other.bins.iter().flatten()) {
+            *own += more;
+        }
+    }
+
+    /// Share of wrong lanes.
+    pub fn wrong(&self) -> f64 {
+        self.wrong / self.all.max(1.0)
+    }
+
+    /// Share of wrong lanes where no other lane's centre line is near.
+    pub fn wrong_apart(&self) -> f64 {
+        self.wrong_apart / self.all_apart.max(1.0)
+    }
+
+    /// The largest difference of stated and true shares over bins with so many hypotheses.
+    pub fn worst_bin(&self, least: f64) -> f64 {
+        let known = self.bins.iter().filter(|bin| bin[0] >= least);
+        known.map(|[n, said, was]| (said - was).abs() / n).fold(0.0, f64::max)
+    }
+
+    fn take(&mut self, found: &[impl Guess], truth: &Truth, is_apart: bool) {
+        let is_wrong = found.first().is_none_or(|best| best.lane() != truth.lane);
+        let wrong = f64::from(u8::from(is_wrong));
+        (self.all, self.wrong) = (self.all + 1.0, self.wrong + wrong);
+        if is_apart {
+            (self.all_apart, self.wrong_apart) = (self.all_apart + 1.0, self.wrong_apart + wrong);
+        }
+        for one in found {
+            let bin = ((one.probability() * BINS as f64) as usize).min(BINS - 1);
+            let [n, said, was] = &mut self.bins[bin];
+            *n += 1.0;
+            *said += one.probability();
+            *was += f64::from(u8::from(one.lane() == truth.lane));
+        }
+    }
+}
+
+/// Answers on simulated drives.
+#[derive(Clone, Debug, Default)]
+pub struct Judgement {
+    /// Of each pose alone.
+    pub pose: Score,
+    /// Of each pose, with the lanes that can be reached from the true lane of the fix before as expected ones.
+    pub last_lane: Score,
+    /// Of all poses up to each.
+    pub tracker: Score,
+    /// Of the best guess by each pose, the true lane of the fix before, and the way driven since then: by Bayes, from how drives are simulated, but
+    /// without their changes of lane.
+    pub bayes: Score,
+}
+
+/// How a driver keeps to the middle of a lane: standard deviations from it `[m]`, over some seconds alike, and from its direction `[rad]`.
+pub type Wander = [f64; 2];
+/// Time over which a driver's distance from the middle is alike `[s]`.
+const WANDER_TIME: f64 = 5.0;
+
+/// Moves the places of a drive as a driver would.
+fn wander(truth: &mut [Truth], [aside, turn]: Wander, random: &mut Random) {
+    let keeps = (-STEP / WANDER_TIME).exp();
+    let mut away = aside * normal(random);
+    for place in truth {
+        place.position += DVec2::from_angle(place.heading).perp() * away;
+        place.heading += turn * normal(random);
+        away = keeps * away + (1.0 - keeps * keeps).sqrt() * aside * normal(random);
+    }
+}
+
+/// Drives of two minutes, judged at every n-th place.
+pub fn judge(
+    map: Map<'_>,
+    noise: [f64; 2],
+    every: usize,
+    wandering: Wander,
+    drives: u64,
+) -> Judgement {
+    let types = LaneTypes::drivable();
+    let plain = MatchOptions { types, ..MatchOptions::default() };
+    let (mut tracker, options) = (Tracker::new(), TrackerOptions::default());
+    let (mut judged, mut out, mut guesses) = (Judgement::default(), Vec::new(), Vec::new());
+    for seed in 1..=drives {
+        let random = &mut Random(seed * 7919);
+        let mut truth = drive(map, 120.0, random);
+        wander(&mut truth, wandering, random);
+        let fixes = localise(&truth, every, noise, true, random);
+        tracker.reset();
+        for (i, fix) in fixes.iter().enumerate() {
+            let place = &truth[i * every];
+            let is_apart = is_apart(map, place);
+            tracker.update(map, fix, &options).expect("an answer");
+            judged.tracker.take(tracker.hypotheses(), place, is_apart);
+            let none = map.match_pose(&fix.pose, &fix.covariance, &plain, &mut out);
+            none.expect("an answer");
+            judged.pose.take(&out, place, is_apart);
+            let Some(before) = i.checked_sub(1).map(|before| &truth[before * every]) else {
+                continue;
+            };
+            let places = driven_to(map, before.lane, every as f64 * SPEED * STEP);
+            let mut lanes: Vec<LaneId> = places.iter().map(|place| place.0).collect();
+            lanes.sort();
+            lanes.dedup();
+            let expecting = MatchOptions { expected: &lanes, ..plain };
+            let none = map.match_pose(&fix.pose, &fix.covariance, &expecting, &mut out);
+            none.expect("an answer");
+            judged.last_lane.take(&out, place, is_apart);
+            let mut weights: BTreeMap<LaneId, f64> = BTreeMap::new();
+            for (lane, s, share) in places {
+                *weights.entry(lane).or_default() += share * likelihood(map, lane, s, fix, noise);
+            }
+            let sum: f64 = weights.values().sum();
+            if sum > 0.0 {
+                guesses.clear();
+                guesses.extend(weights.into_iter().map(|(lane, weight)| (lane, weight / sum)));
+                guesses.sort_by(|a, b| b.1.total_cmp(&a.1));
+                judged.bayes.take(&guesses, place, is_apart);
+            }
+        }
+    }
+    judged
+}
+
+/// Where a vehicle may be that was anywhere in a lane and has driven some way: lane, s, and how probable that is.
+fn driven_to(map: Map<'_>, lane: LaneId, way: f64) -> Vec<(LaneId, f64, f64)> {
+    let own = map.lane(lane).expect("a lane");
+    let mut all = Vec::new();
+    for node in own.nodes().filter(is_driven) {
+        let mut gone = 0.5 * PLACE_STEP;
+        while gone < length(&node) {
+            go_on(&node, gone + way, 1.0, &mut all);
+            gone += PLACE_STEP;
+        }
+    }
+    all
+}
+
+/// Places so far from a node's beginning, shared at forks.
+fn go_on(node: &LaneNode<'_>, gone: f64, share: f64, out: &mut Vec<(LaneId, f64, f64)>) {
+    let left = gone - length(node);
+    if left <= 0.0 {
+        let SRange { low, high } = node.s_range();
+        let s = if node.is_forward() { low + gone } else { high - gone };
+        return out.push((node.lane().expect("a lane").lane_id(), s, share));
+    }
+    let next: Vec<LaneNode<'_>> =
+        node.edges().filter_map(|edge| edge.target()).filter(is_driven).collect();
+    for after in &next {
+        go_on(after, left, share / next.len() as f64, out);
+    }
+}
+
+/// Density of a fix of a vehicle in the middle of a lane, up to a factor.
+fn likelihood(map: Map<'_>, lane: LaneId, s: f64, fix: &TrackerFix, deviations: [f64; 2]) -> f64 {
+    let [noise, turn] = deviations;
+    let Ok(at) = map.lane(lane).expect("a lane").waypoint_at(s) else { return 0.0 };
+    let away = at.position.truncate().distance_squared(fix.pose.position.xy);
+    if away > (FAR * noise).powi(2) {
+        return 0.0;
+    }
+    let error = (at.heading - fix.pose.heading + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+    (-0.5 * (away / (noise * noise) + error * error / (turn * turn))).exp()
+}
+
+/// Whether the centre lines of all other lanes with about the same direction are far from the true one's.
+fn is_apart(map: Map<'_>, truth: &Truth) -> bool {
+    let own = map.lane(truth.lane).expect("a lane");
+    let Ok(at) = own.position_of(truth.position) else { return false };
+    let Ok(center) = own.waypoint_at(at.s) else { return false };
+    let options = NearestOptions {
+        radius: AROUND,
+        types: LaneTypes::drivable(),
+        heading: Some(truth.heading),
+        heading_tolerance: Some(0.25 * TAU),
+        ..NearestOptions::default()
+    };
+    let mut near = Vec::new();
+    map.lanes_near(center.position.truncate(), &options, &mut near).expect("an answer");
+    near.iter().filter(|one| one.lane != truth.lane).all(|one| {
+        let lane = map.lane(one.lane).expect("a lane");
+        let there = lane.waypoint_at(one.position.s).expect("a place");
+        there.position.truncate().distance(center.position.truncate()) > APART
+    })
 }

@@ -1742,6 +1742,28 @@ typedef struct mapd_overtaking_rule {
 } mapd_overtaking_rule;
 
 /*
+ Plan view of a vehicle: a rectangle around the place of its pose, along its heading. Each size is in [0, 100].
+ */
+typedef struct mapd_vehicle_outline {
+  /*
+   How far it reaches from the pose's place ahead [m].
+   */
+  double front;
+  /*
+   How far behind it [m].
+   */
+  double back;
+  /*
+   How far to the left [m].
+   */
+  double left;
+  /*
+   How far to the right [m].
+   */
+  double right;
+} mapd_vehicle_outline;
+
+/*
  How hypotheses are weighed. Set it with `mapd_match_options_init`, then change what should differ.
  */
 typedef struct mapd_match_options {
@@ -1793,6 +1815,10 @@ typedef struct mapd_match_options {
    The class of the vehicle: a `MAPD_VEHICLE_CLASS_…`.
    */
   uint8_t vehicle;
+  /*
+   Plan view of the vehicle: a lane's weight is then the share of the vehicle that lies in it. Default zeros, which count as no outline.
+   */
+  struct mapd_vehicle_outline outline;
 } mapd_match_options;
 
 /*
@@ -6811,6 +6837,54 @@ mapd_code mapd_to_geodetic_batch(const struct mapd_projector *projector,
                                  size_t count,
                                  struct mapd_geodetic *out,
                                  struct mapd_error *error);
+
+/*
+ As `mapd_from_geodetic`, of `count` places; `out` has room for as many.
+
+ Errors: as `mapd_from_geodetic`, of the first place that has one; the answers before it are written.
+ */
+mapd_code mapd_from_geodetic_batch(const struct mapd_projector *projector,
+                                   const struct mapd_geodetic *places,
+                                   size_t count,
+                                   struct mapd_vec3 *out,
+                                   struct mapd_error *error);
+
+/*
+ Heading of true north at each of `count` points of the map [rad], counter-clockwise from x, in (−π, π]. A heading that a receiver gives clockwise
+ from true north is this minus that one. `out` has room for as many.
+
+ Errors: as `mapd_to_geodetic`, of the first point that has one; the answers before it are written.
+ */
+mapd_code mapd_north_at_batch(const struct mapd_projector *projector,
+                              const struct mapd_vec3 *points,
+                              size_t count,
+                              double *out,
+                              struct mapd_error *error);
+
+/*
+ East, north and up [m] of each of `count` points of the map, from `origin`, a point of the map: the topocentric frame, in the plane that touches
+ the Earth there. `out` has room for as many.
+
+ Errors: as `mapd_to_geodetic`, of the origin or the first point that has one; the answers before it are written.
+ */
+mapd_code mapd_to_enu_batch(const struct mapd_projector *projector,
+                            struct mapd_vec3 origin,
+                            const struct mapd_vec3 *points,
+                            size_t count,
+                            struct mapd_vec3 *out,
+                            struct mapd_error *error);
+
+/*
+ The points of the map at each of `count` easts, norths and ups [m] from `origin`, a point of the map. `out` has room for as many.
+
+ Errors: as `mapd_to_enu_batch`.
+ */
+mapd_code mapd_from_enu_batch(const struct mapd_projector *projector,
+                              struct mapd_vec3 origin,
+                              const struct mapd_vec3 *places,
+                              size_t count,
+                              struct mapd_vec3 *out,
+                              struct mapd_error *error);
 
 /*
  As `mapd_nearest_lane`, from a place on Earth through a projector of this map. The altitude counts where `has_altitude` is not 0.

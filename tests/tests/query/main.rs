@@ -30,6 +30,8 @@ mod ids;
 mod index_oracle;
 // Every type that can be read from JSON is read as it was written.
 mod json_round_trips;
+// Lanes of simulated drives beside the best that is possible.
+mod judged;
 // Landmarks for localisation, and signals near a point and in a rectangle.
 mod landmarks;
 // The lane graph against a slow, literal reader of the links.

@@ -13,6 +13,7 @@ use mapd_tests::graph_maps::{Line, document, lane, road, section};
 use mapd_tests::maps::{self, Random};
 use mapd_tests::{carried, shared};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::path::Path;
 
 /// Standard deviations of places `[m]` and headings `[rad]`.
 const NOISE: [f64; 2] = [0.3, 0.05];
@@ -80,10 +81,18 @@ fn holds(map: Map<'_>, lanes: &[LaneId], place: DVec2) -> bool {
 
 #[test]
 fn leaving_the_route_is_noticed() {
-    let snapshot = maps::open(&carried("town.xodr"));
+    check_left_routes(&carried("town.xodr"), 40, 15);
+    if let Some(folder) = shared("maps") {
+        check_left_routes(&folder.join("carla/Town05.xodr"), 20, 4);
+    }
+}
+
+/// Drives that leave their routes, of which there are at least so many; each route is the prior.
+fn check_left_routes(path: &Path, drives: u64, least: usize) {
+    let snapshot = maps::open(path);
     let (map, mut tracker) = (snapshot.map(), Tracker::new());
     let (mut left, mut kept, mut trusted) = (0, 0.0, 0.0);
-    for seed in 1..=40 {
+    for seed in 1..=drives {
         let random = &mut Random(seed * 104_729);
         let truth = drives::drive(map, 60.0, random);
         let fixes = drives::localise(&truth, 1, NOISE, true, random);
@@ -111,7 +120,7 @@ fn leaving_the_route_is_noticed() {
         let late = noticed.map_or(f64::INFINITY, |i| (i - separated) as f64 * STEP);
         assert!(late <= NOTICED, "drive {seed}: noticed after {late} s");
     }
-    assert!(left >= 15, "only {left} drives leave their route");
+    assert!(left >= least, "only {left} drives leave their route");
     // Before they separate the vehicle is on its route, and that is what is said, but near forks.
     assert!(trusted / kept > 0.9, "trusted {} of the fixes on a route", trusted / kept);
 }

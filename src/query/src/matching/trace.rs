@@ -35,7 +35,8 @@ const MOST_CHANGES: f64 = 2.0;
 const LEAST_CHANGE: f64 = 1e-6;
 /// Edges over which noise may lead back.
 const MOST_BACK: usize = 3;
-/// Logarithms of the probabilities of a jump, of leaving all lanes, and of coming back to one of them.
+/// Logarithms of the probabilities of a turn on the spot, of a jump, of leaving all lanes, and of coming back to one of them.
+const TURN: f64 = -9.0;
 const JUMP: f64 = -14.0;
 const LEAVE: f64 = -5.0;
 const RETURN: f64 = -3.0;
@@ -212,14 +213,22 @@ impl Map<'_> {
             for b in &scratch.states[next..end] {
                 let step = match b {
                     None => LEAVE,
-                    Some(b) => self
-                        .way(&a, b, reached)
-                        .map_or(JUMP, |way| (-(way - straight).abs() / scale).max(JUMP)),
+                    Some(b) => {
+                        let least = if self.turns(&a, b) { TURN } else { JUMP };
+                        let way = self.way(&a, b, reached);
+                        way.map_or(least, |way| (-(way - straight).abs() / scale).max(least))
+                    }
                 };
                 scratch.steps.push(step as f32);
             }
         }
         Ok(())
+    }
+
+    /// Whether a state heads back on the other's road.
+    fn turns(&self, a: &LaneMatch, b: &LaneMatch) -> bool {
+        let road = |m: &LaneMatch| self.lane(m.lane).ok().map(|lane| lane.road().road_id());
+        a.forward != b.forward && road(a) == road(b)
     }
 
     /// What the way from a state to another costs `[m]`; below 0 where it leads back along the lane or into the one before.
