@@ -131,7 +131,8 @@ fn round() -> String {
         let half = 0.5 * curvature * length;
         let chord = if half == 0.0 { length } else { length * half.sin() / half };
         (x, y) = (x + chord * (heading + half).cos(), y + chord * (heading + half).sin());
-        (s, heading) = (s + length, heading + 2.0 * half);
+        // The next one begins a little later than this one ends, as rounded lengths have it.
+        (s, heading) = (s + length + 3e-7, heading + 2.0 * half);
     }
     let mark = |lines: &str| {
         format!(

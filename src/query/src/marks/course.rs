@@ -149,10 +149,12 @@ impl<'m> Course<'m> {
     }
 
     fn even_form(&self) -> Option<Form> {
-        let [from, to] = self.s;
+        let [from, end] = self.s;
         let piece = &self.slab.piece;
-        let curvature = piece.curve.even_curvature_up_to(to - piece.s)?;
-        if self.mark.sways() {
+        // A stretch may go on a little beyond the length that its geometry states: all of that lies where the curve ends.
+        let to = end.min(piece.s + piece.curve.length());
+        let curvature = piece.curve.even_curvature_up_to(0.0)?;
+        if self.mark.sways() || from > to {
             return None;
         }
         let at = self.slab.at(from);
@@ -168,6 +170,9 @@ impl<'m> Course<'m> {
             (DVec2::new(start.cos, start.sin), DVec2::new(-start.sin, start.cos));
         let first = DVec2::new(start.x, start.y) + normal * (t.value * roll);
         let growth = t.derivative * roll;
+        if growth.abs() * (end - to) > SLACK {
+            return None;
+        }
         if curvature == 0.0 {
             return Some(Form::Straight(Straight::new(first, tangent, growth, [from, to])));
         }
