@@ -3,16 +3,19 @@
 use crate::settles;
 use mapd_client::batch::{Places, Poses, TrackPositions, Tracks};
 use mapd_client::geodesy::GeodeticPoint;
-use mapd_client::localisation::{GroundScratch, MarkFilter, Sensor, VehiclePose};
+use mapd_client::localisation::{GroundScratch, MarkFilter, MarkSource, Sensor, VehiclePose};
 use mapd_client::vocabulary::ClassSet;
 use mapd_client::{LaneTypes, NearestOptions, Point, Region, glam::DVec2};
+use mapd_tests::object_maps;
 
 /// Lists of places, marks and landmarks: what goes into a caller's buffer grows once.
 #[test]
 fn lists_of_places_do_not_allocate_after_the_first_call() {
     let snapshot = mapd_tests::maps::open(&mapd_tests::carried("town.xodr"));
     let painted_map = mapd_tests::maps::open(&mapd_tests::carried("marks.xodr"));
-    let furnished = mapd_tests::object_maps::open(&mapd_tests::crossroads::furnished());
+    let furnished = object_maps::open(&mapd_tests::crossroads::furnished());
+    let crossing = "<object id=\"c\" type=\"crosswalk\" s=\"30\" t=\"0\" zOffset=\"0\" length=\"2\" width=\"4\" orientation=\"none\"><markings><marking side=\"left\" width=\"0.3\" color=\"white\" lineLength=\"0.5\" spaceLength=\"0.5\" startOffset=\"0\" stopOffset=\"0\"/></markings></object>";
+    let crossing = object_maps::open(&object_maps::document(&object_maps::PLAIN, crossing));
     let (map, painted_map) = (snapshot.map(), painted_map.map());
     let mut random = mapd_tests::maps::Random(5);
     let near_paint: Vec<DVec2> = (0..100).map(|_| random.point(painted_map)).collect();
@@ -29,6 +32,7 @@ fn lists_of_places_do_not_allocate_after_the_first_call() {
     let road = map.road_by_id("1").expect("a road");
     let (mut ground, mut grounds) = (GroundScratch::default(), Vec::new());
     let (mut marks, mut painted, mut landmarks) = (Vec::new(), Vec::new(), Vec::new());
+    let mut on_objects = Vec::new();
     let (mut work, mut borders, mut lines) = (Vec::new(), Vec::new(), Vec::new());
     let (mut poses, mut feet) = (Poses::default(), TrackPositions::default());
     let (mut earth, mut places, mut back) = (Vec::new(), Vec::new(), Vec::new());
@@ -46,6 +50,9 @@ fn lists_of_places_do_not_allocate_after_the_first_call() {
         painted_map.nearest_marks(&near_paint, &filter, &mut marks).expect("marks");
         let region = Region::around(near_paint[0], 100.0);
         painted_map.mark_points(region, 0.5, &filter, &mut painted).expect("points");
+        let whole = Region { low: DVec2::splat(-1e4), high: DVec2::splat(1e4) };
+        crossing.map().mark_points(whole, 0.5, &filter, &mut on_objects).expect("points");
+        assert!(on_objects.iter().any(|point| !matches!(point.source, MarkSource::Lane(_))));
         painted_map
             .road_mark_segments(region, LaneTypes::ALL, &mut work, &mut borders, &mut lines)
             .expect("lines");

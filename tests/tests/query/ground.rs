@@ -98,6 +98,13 @@ fn the_last_lane_decides_between_a_bridge_and_the_road_below() {
         found.expect("ground").z
     };
     assert!((stand(&[above]) - 6.483).abs() < 1e-9 && (stand(&[below]) - 0.512).abs() < 1e-9);
+    // Two wheels on the lane beside the expected one are on its level, whichever wheel is on which lane.
+    for heading in [FRAC_PI_2, -FRAC_PI_2] {
+        let pose = VehiclePose { position: point(0.1, -1.7, None), heading };
+        let found = map.stance(&pose, &wheels, &[above], &mut scratch).expect("an answer");
+        let found = found.expect("ground");
+        assert!((found.z - 6.483).abs() < 1e-9 && found.roll.abs() < 1e-9, "{found:?}");
+    }
 }
 
 /// Of the lanes that overlap in a junction, an expected one is the answer.

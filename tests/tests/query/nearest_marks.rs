@@ -11,6 +11,9 @@ use mapd_tests::maps::{self, Random};
 /// Between places along a mark `[m]`.
 const STEP: f64 = 0.02;
 
+/// Between places of a grid `[m]`: corners and middles of lanes among them.
+const GRID: f64 = 0.25;
+
 /// A place of a mark: lane's key, the line's offset with where it begins and ends, s, and where.
 type Place = (String, [f64; 3], f64, DVec2);
 
@@ -271,6 +274,34 @@ fn clouds_answer_as_each_point_does() {
             }
         }
     }
+}
+
+/// A grid over marks, its places as far from two of them as from one: alone and together the same one.
+fn check_grid(map: Map<'_>, low: DVec2, high: DVec2, name: &str) {
+    let filter = MarkFilter::default();
+    let steps = ((high - low) / GRID).floor();
+    let row = |y: f64| (0..=steps.x as usize).map(move |x| low + GRID * DVec2::new(x as f64, y));
+    let points: Vec<DVec2> = (0..=steps.y as usize).flat_map(|y| row(y as f64)).collect();
+    let mut out = Vec::new();
+    map.nearest_marks(&points, &filter, &mut out).expect("answers");
+    assert!(out.iter().flatten().count() > 100, "{name}");
+    for (point, found) in points.iter().zip(&out) {
+        let single = map.nearest_mark(*point, &filter).expect("an answer");
+        assert_eq!(*found, single, "{name}: {point}");
+    }
+}
+
+#[test]
+fn of_marks_equally_near_the_same_one_is_found() {
+    let marks = carried("marks.xodr");
+    let (low, high) = (DVec2::new(0.0, -6.0), DVec2::new(100.0, 6.0));
+    check_grid(maps::open(&marks).map(), low, high, "as it is");
+    // A line far from its border.
+    let text = std::fs::read_to_string(&marks).expect("a map");
+    let far = text.replacen("tOffset=\"", "tOffset=\"-5", 1);
+    assert_ne!(far, text, "a line has an offset");
+    let snapshot = maps::open_text(&far);
+    check_grid(snapshot.map(), low - DVec2::Y * 8.0, high, "far from its border");
 }
 
 /// Points lie on marks, painted places have one at every multiple of the spacing, and each comes once, by whatever rectangle.

@@ -42,14 +42,29 @@ impl Map<'_> {
         expected: &[LaneId],
         scratch: &mut GroundScratch,
     ) -> Result<Option<Stance>, QueryError> {
-        let Point { xy, z } = pose.position;
+        let xy = pose.position.xy;
         if !(pose.position.is_place() && pose.heading.is_finite()) {
             return Err(QueryError::NotFinite);
         }
         let (cos, sin) = cos_sin(pose.heading);
+        let below = |wheel: &DVec2| xy + DVec2::new(cos, sin).rotate(*wheel);
+        // All wheels are on one level: where no z says which, that of the first place on an expected lane does.
+        let mut z = pose.position.z;
+        if z.is_none() && !expected.is_empty() {
+            for (i, wheel) in [DVec2::ZERO].iter().chain(wheels).enumerate() {
+                let point = Point { xy: below(wheel), z };
+                let number = i.saturating_sub(1);
+                let found = self.ground_at(point, expected, scratch);
+                let found = found.map_err(|error| error.at(number))?;
+                z = found.filter(|ground| expected.contains(&ground.lane)).map(|ground| ground.z);
+                if z.is_some() {
+                    break;
+                }
+            }
+        }
         let mut heights = [None; 4];
         for (i, wheel) in wheels.iter().enumerate() {
-            let point = Point { xy: xy + DVec2::new(cos, sin).rotate(*wheel), z };
+            let point = Point { xy: below(wheel), z };
             let ground = self.ground_at(point, expected, scratch).map_err(|error| error.at(i))?;
             heights[i] = ground.map(|ground| ground.z);
         }

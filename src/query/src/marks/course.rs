@@ -7,6 +7,7 @@ use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::profile::{self, At};
 use crate::road_mark::{RoadMark, RoadMarkLine};
+use core::cmp::Ordering;
 use glam::{DVec2, DVec3};
 use mapd_archive::{RoadMarkColor, RoadMarkKind};
 use mapd_geometry::clamp;
@@ -36,6 +37,8 @@ pub(super) struct Course<'m> {
     line: Option<RoadMarkLine>,
     /// First and last s `[m]`.
     s: [f64; 2],
+    /// Which mark of the owner it is, and which line of the mark.
+    number: [usize; 2],
 }
 
 /// Visits each line of each mark on the owner's border that the filter lets pass, as far as it lies along a stretch.
@@ -46,7 +49,7 @@ pub(super) fn along<'m>(
     mut visit: impl FnMut(Course<'m>),
 ) {
     let (owner, slab) = (*owner, *slab);
-    for mark in owner.road_marks() {
+    for (mark_number, mark) in owner.road_marks().enumerate() {
         let of_mark = [mark.s().max(slab.s_lo), mark.s_end().min(slab.s_hi)];
         if of_mark[0] > of_mark[1] {
             continue;
@@ -56,15 +59,16 @@ pub(super) fn along<'m>(
             continue;
         }
         if mark.lines().len() == 0 {
-            visit(Course { owner, slab, mark, line: None, s: of_mark });
+            visit(Course { owner, slab, mark, line: None, s: of_mark, number: [mark_number, 0] });
         }
-        for line in mark.lines() {
+        for (line_number, line) in mark.lines().enumerate() {
             let start = mark.written_s() + line.s_offset;
             // An explicit line is there once.
             let end = if line.space.is_none() { start + line.length } else { f64::INFINITY };
             let s = [of_mark[0].max(start), of_mark[1].min(end)];
             if s[0] <= s[1] {
-                visit(Course { owner, slab, mark, line: Some(line), s });
+                let number = [mark_number, line_number];
+                visit(Course { owner, slab, mark, line: Some(line), s, number });
             }
         }
     }
@@ -94,6 +98,11 @@ impl<'m> Course<'m> {
         let sway = self.mark.sway(At::within(at.s, self.mark.s(), self.mark.s_end()));
         let offset = self.line.map_or(0.0, |line| line.t_offset);
         self.owner.edge_slopes(at).outer.value + sway + offset
+    }
+
+    /// Which of two courses comes first where both have a place equally near and of the same lane and s: the one of the first mark, line, stretch.
+    pub(super) fn order(&self, other: &Self) -> Ordering {
+        self.number.cmp(&other.number).then(self.slab.s_lo.total_cmp(&other.slab.s_lo))
     }
 
     /// Tells of the places at multiples of a spacing that are painted, or may be: s, and where, relative to the local origin.

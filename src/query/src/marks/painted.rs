@@ -20,6 +20,10 @@ const PAINTED: ClassSet = LINES
 /// What fills its box where that is all that the file gives; the box of another is no edge of paint.
 const LINES: ClassSet =
     ClassSet::NONE.with(Class::StopLine).with(Class::WaitingLine).with(Class::LaneLine);
+/// Kind of a parking space's marking that is none (OpenDRIVE 1.4).
+const NO_MARKING: &str = "none";
+/// Longer lines `[m]` are none that anybody painted, and have no points.
+const LONGEST: f64 = 1e4;
 /// Area of an outline by the square of its length up to which it is a line.
 const NO_AREA: f64 = 1e-4;
 
@@ -32,12 +36,12 @@ struct Strokes {
     /// Lengths of stroke and gap `[m]`; no gap: one stroke.
     stroke: f64,
     gap: f64,
-    /// Moves the line off the object's foot `[m]`.
-    shift: DVec3,
+    /// Height above the object's foot `[m]`.
+    rise: f64,
 }
 
 impl Strokes {
-    const WHOLE: Self = Self { start: 0.0, stop: 0.0, stroke: 0.0, gap: 0.0, shift: DVec3::ZERO };
+    const WHOLE: Self = Self { start: 0.0, stop: 0.0, stroke: 0.0, gap: 0.0, rise: 0.0 };
 
     fn has_gaps(&self) -> bool {
         self.stroke > 0.0 && self.gap > 0.0
@@ -67,18 +71,21 @@ pub(super) fn each_point(map: Map<'_>, asked: &Asked<'_>, mut visit: impl FnMut(
 fn of_place(place: &ObjectPlacement<'_>, asked: &Asked<'_>, visit: &mut impl FnMut(MarkPoint)) {
     // Copies without gaps have outlines of their own, which no marking names.
     let mut has_lines = false;
-    let up = place.attitude().to_parent(DVec3::Z);
     let source = MarkSource::Line(place.placement_id());
     for marking in place.markings().take_while(|_| !place.is_swept()) {
+        if marking.kind() == NO_MARKING {
+            continue;
+        }
         has_lines = true;
         let strokes = Strokes {
-            start: marking.start_offset(),
+            start: marking.start_offset().max(0.0),
             stop: marking.stop_offset(),
             stroke: marking.stroke_length(),
             gap: marking.gap_length(),
-            shift: up * marking.z_offset(),
+            rise: marking.z_offset(),
         };
-        let kind = if strokes.has_gaps() { RoadMarkKind::Broken } else { RoadMarkKind::Solid };
+        let is_broken = strokes.has_gaps() || marking.kind() == RoadMarkKind::Broken.name();
+        let kind = if is_broken { RoadMarkKind::Broken } else { RoadMarkKind::Solid };
         let paint = Paint {
             place,
             asked,
@@ -149,8 +156,18 @@ fn of_place(place: &ObjectPlacement<'_>, asked: &Asked<'_>, visit: &mut impl FnM
         );
     }
     if place.shape() == ObjectShape::Box && LINES.contains(class) {
-        let corners = box_of(place);
-        paint.along(|| corners.into_iter().chain([corners[0]]), &Strokes::WHOLE, visit);
+        let [front_right, front_left, rear_left, rear_right] = place.corners();
+        match (place.length() > 0.0, place.width() > 0.0) {
+            (true, true) => {
+                let around = [front_right, front_left, rear_left, rear_right, front_right];
+                paint.along(|| around.into_iter(), &Strokes::WHOLE, visit);
+            }
+            // Without a width, or a length, it is a line.
+            (true, false) => {
+                paint.along(|| [front_left, rear_left].into_iter(), &Strokes::WHOLE, visit);
+            }
+            _ => paint.along(|| [front_right, front_left].into_iter(), &Strokes::WHOLE, visit),
+        }
     }
 }
 
@@ -178,13 +195,18 @@ impl Paint<'_, '_> {
         }
         let pieces = || line().zip(line().skip(1));
         let length: f64 = pieces().map(|(from, to)| from.distance(to)).sum();
+        // Also where it is no number.
+        let is_paint = length <= LONGEST;
+        if !is_paint {
+            return;
+        }
         let last = length - strokes.stop;
         let mut gone = 0.0;
         for (from, to) in pieces() {
             let piece = from.distance(to);
-            let (start, shift) = (gone, strokes.shift);
+            let start = gone;
             gone += piece;
-            let flat = [from, to].map(|end| (end + shift).truncate());
+            let flat = [from, to].map(DVec3::truncate);
             let Some([low, high]) = inside(flat, region) else { continue };
             // One more on either side, so that rounding leaves none out; each is looked at once more.
             let first = ((start + low * piece - strokes.start) / spacing).floor() - 1.0;
@@ -198,7 +220,7 @@ impl Paint<'_, '_> {
                 if !(at >= start && at < gone && at <= last && strokes.paints(along)) {
                     continue;
                 }
-                let position = from.lerp(to, (at - start) / piece) + shift;
+                let position = from.lerp(to, (at - start) / piece) + strokes.rise * DVec3::Z;
                 if region.holds(position.truncate()) {
                     visit(MarkPoint {
                         position,
@@ -234,19 +256,12 @@ fn inside([from, to]: [DVec2; 2], region: Region) -> Option<[f64; 2]> {
     (low <= high + f64::EPSILON.sqrt()).then_some([low, high])
 }
 
-/// Corners of a box: front right, front left, rear left, rear right.
-fn box_of(place: &ObjectPlacement<'_>) -> [DVec3; 4] {
-    let (u, v) = (0.5 * place.length(), 0.5 * place.width());
-    [[u, -v], [u, v], [-u, v], [-u, -v]]
-        .map(|[u, v]| place.position() + place.attitude().to_parent(DVec3::new(u, v, 0.0)))
-}
-
 /// Both ends of a side of the object's box: from the rear to the front, or from the right to the left. None of an object without a box.
 fn side_of(place: &ObjectPlacement<'_>, side: ObjectSide) -> Option<[DVec3; 2]> {
     if place.shape() != ObjectShape::Box {
         return None;
     }
-    let [front_right, front_left, rear_left, rear_right] = box_of(place);
+    let [front_right, front_left, rear_left, rear_right] = place.corners();
     match side {
         ObjectSide::Left => Some([rear_left, front_left]),
         ObjectSide::Right => Some([rear_right, front_right]),

@@ -11,19 +11,19 @@ use crate::nearest::round_up;
 use glam::DVec2;
 use mapd_archive::NONE;
 
-/// More styles of marks than this are not looked at to learn that none leaves its border.
+/// More styles of marks than this are not looked at to learn how far their lines leave the border.
 const FEW_STYLES: usize = 64;
 
-/// How far lines of marks may lie from their lane's border and still be found for sure `[m]`: 0 of a map whose marks all lie on it.
+/// How far lines of marks may lie from their lane's border and still be found for sure `[m]`: 0 of a map whose marks all lie on it, and as far as their
+/// own offsets say where there are few.
 pub(super) fn shift(map: Map<'_>) -> f64 {
     let (styles, lines) = (map.tables().road_mark_styles, map.tables().road_mark_lines);
-    let are_few = styles.len() <= FEW_STYLES && lines.len() <= FEW_STYLES;
-    let keep = |map: Map<'_>| {
-        let tables = map.tables();
-        tables.road_mark_styles.iter().all(|style| style.sway().count == 0)
-            && tables.road_mark_lines.iter().all(|line| line.t_offset() == 0.0)
-    };
-    if are_few && keep(map) { 0.0 } else { MARK_SHIFT }
+    if styles.len() > FEW_STYLES || lines.len() > FEW_STYLES {
+        return MARK_SHIFT;
+    }
+    let sways = styles.iter().any(|style| style.sway().count > 0);
+    let offsets = lines.iter().map(|line| line.t_offset().abs()).fold(0.0, f64::max);
+    if sways { MARK_SHIFT + offsets } else { offsets }
 }
 
 /// Visits the lanes whose borders count in a stretch of one of them: its own outer one, and lane 0's with one of the two lanes beside it.
@@ -107,7 +107,8 @@ impl<'m, 'f> Search<'m, 'f> {
         self.best.as_ref().map_or(self.filter.radius, |(distance, _)| *distance)
     }
 
-    /// Takes a course that is nearer than the best so far; of equally near ones that of the first lane and s, whichever comes first.
+    /// Takes a course that is nearer than the best so far; of equally near ones that of the first lane, s, mark, line and stretch: whatever
+    /// order they come in.
     #[inline]
     pub(super) fn consider(&mut self, candidate: Candidate<'m>, local: DVec2) {
         let distance = candidate.form.distance(local);
@@ -121,7 +122,8 @@ impl<'m, 'f> Search<'m, 'f> {
             Some((_, best)) if distance == limit => {
                 let rank = |of: &Candidate<'m>| (of.course.lane(), of.nearest(local).s);
                 let ((lane, s), (own, own_s)) = (rank(&candidate), rank(best));
-                lane.cmp(&own).then(s.total_cmp(&own_s)).is_lt()
+                let order = lane.cmp(&own).then(s.total_cmp(&own_s));
+                order.then_with(|| candidate.course.order(&best.course)).is_lt()
             }
             _ => true,
         };

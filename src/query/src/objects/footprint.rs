@@ -37,7 +37,7 @@ impl<'a> ObjectPlacement<'a> {
     }
 
     /// The lower corners of the box, counter-clockwise from the right front one.
-    fn corners(&self) -> [DVec3; 4] {
+    pub(crate) fn corners(&self) -> [DVec3; 4] {
         let (origin, axes) = (self.position(), self.attitude());
         let (u, v) = (0.5 * self.length(), 0.5 * self.width());
         let at = |u, v| origin + axes.to_parent(DVec3::new(u, v, 0.0));
