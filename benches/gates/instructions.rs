@@ -9,6 +9,8 @@ use mapd_compiler::{CompileOptions, compile};
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, ExitCode};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Queries of the short and of the long run.
 const RUNS: [usize; 2] = [500, 2_500];
@@ -94,21 +96,47 @@ fn instructions(program: &str, args: &[&str]) -> Option<u64> {
     line.rsplit(' ').next()?.parse().ok().filter(|_| output.status.success())
 }
 
-/// Instructions of one of what a program does `runs` times.
+/// What is counted: a program, its arguments, and how often it does what is asked in the short and in the long run.
+#[derive(Clone)]
+struct Job<'a> {
+    program: &'a str,
+    args: Vec<&'a str>,
+    runs: [usize; 2],
+}
+
+impl<'a> Job<'a> {
+    fn new(program: &'a str, args: &[&'a str], runs: [usize; 2]) -> Self {
+        Self { program, args: args.to_vec(), runs }
+    }
+}
+
+/// Instructions of one of what each program does so many times, in the order of the jobs. As many run at once as there are processors: what is
+/// counted does not depend on what else runs.
 ///
-/// Panics: the program fails.
-fn counted(program: &str, args: &[&str], runs: [usize; 2]) -> f64 {
-    let count = |runs: usize| instructions(program, &[args, &[&runs.to_string()]].concat());
-    // Both at once: what is counted does not depend on what else runs.
-    let (short, long) = std::thread::scope(|scope| {
-        let short = scope.spawn(|| count(runs[0]));
-        let long = count(runs[1]);
-        (short.join().ok().flatten(), long)
-    });
-    let (Some(short), Some(long)) = (short, long) else {
-        panic!("{program} {args:?} fails under valgrind");
+/// Panics: a program fails.
+fn counted(jobs: &[Job<'_>]) -> Vec<f64> {
+    let next = AtomicUsize::new(0);
+    let counts: Vec<OnceLock<u64>> = (0..2 * jobs.len()).map(|_| OnceLock::new()).collect();
+    let work = || {
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            let Some(Job { program, args, runs }) = jobs.get(number / 2) else { return };
+            let times = runs[number % 2].to_string();
+            let count = instructions(program, &[&args[..], &[&times]].concat());
+            let count = count.unwrap_or_else(|| panic!("{program} {args:?} fails under valgrind"));
+            counts[number].set(count).expect("counted once");
+        }
     };
-    long.saturating_sub(short) as f64 / (runs[1] - runs[0]) as f64
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(work);
+        }
+    });
+    let of = |number: usize| counts[number].get().copied().unwrap_or_default();
+    let each = |(i, job): (usize, &Job<'_>)| {
+        of(2 * i + 1).saturating_sub(of(2 * i)) as f64 / (job.runs[1] - job.runs[0]) as f64
+    };
+    jobs.iter().enumerate().map(each).collect()
 }
 
 /// Prints a line of results.
@@ -150,24 +178,31 @@ fn main() -> ExitCode {
         return ExitCode::FAILURE;
     };
     let mut exceeded = false;
-    for (kind, bound) in BOUNDS {
-        exceeded |= exceeds(kind, counted(&probe, &[&path, kind], RUNS), bound as f64, 0);
+    let jobs = BOUNDS.map(|(kind, _)| Job::new(&probe, &[&path, kind], RUNS));
+    for ((kind, bound), each) in BOUNDS.into_iter().zip(counted(&jobs)) {
+        exceeded |= exceeds(kind, each, bound as f64, 0);
     }
-    let particle =
-        |kind: &str| counted(&probe, &[&path, kind], CLOUDS) / mapd_planner::PARTICLES as f64;
-    let (batch, single) = (particle("cloud"), particle("cloud-single"));
+    let jobs = ["cloud", "cloud-single"].map(|kind| Job::new(&probe, &[&path, kind], CLOUDS));
+    let clouds = counted(&jobs);
+    let [batch, single] = [0, 1].map(|i| clouds[i] / mapd_planner::PARTICLES as f64);
     exceeded |= exceeds("cloud, per particle", batch, PARTICLE, 0);
     print(&format!("the same one by one: {single:.0}, {:.1} ×", single / batch));
-    for (kind, bound) in PATH_BOUNDS {
-        let each = counted(&path_probe, &[&path, kind], PATH_RUNS);
-        exceeded |= exceeds(&format!("path, {kind}"), each, bound as f64, 0);
+    let mut jobs =
+        PATH_BOUNDS.map(|(kind, _)| Job::new(&path_probe, &[&path, kind], PATH_RUNS)).to_vec();
+    jobs.push(Job::new(&path_probe, &[&path, "project-batch"], PATH_BATCHES));
+    let paths = counted(&jobs);
+    for ((kind, bound), each) in PATH_BOUNDS.into_iter().zip(&paths) {
+        exceeded |= exceeds(&format!("path, {kind}"), *each, bound as f64, 0);
     }
-    let batch = counted(&path_probe, &[&path, "project-batch"], PATH_BATCHES);
+    let batch = paths[PATH_BOUNDS.len()];
     exceeded |= exceeds("path, a point of a batch", batch / PATH_POINTS, PATH_POINT, 0);
     let patch = folder.path().join("patch.xodr");
     std::fs::write(&patch, mapd_tests::maps::own_roads(&text)).expect("the patch is written");
-    let [plain, patched] = ["-".into(), patch.to_string_lossy()]
-        .map(|patch| counted(env!("CARGO_BIN_EXE_compile_probe"), &[&town, &patch], COMPILATIONS));
+    let compile_probe = env!("CARGO_BIN_EXE_compile_probe");
+    let patch = patch.to_string_lossy();
+    let jobs = ["-", &patch].map(|patch| Job::new(compile_probe, &[&town, patch], COMPILATIONS));
+    let compiled = counted(&jobs);
+    let [plain, patched] = [compiled[0], compiled[1]];
     exceeded |= exceeds("compile, per byte", plain / text.len() as f64, PER_BYTE, 1);
     let what = format!("compile with a patch: {:.3} of without", patched / plain);
     exceeded |= exceeds(&what, patched, plain * PATCHED, 0);

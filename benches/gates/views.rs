@@ -5,7 +5,7 @@
 //! other ways, which are searched longer however they are searched: so what these overlays cost is compared with the map into which the same is written, and the routes that the
 //! overlay of whole lanes leaves possible also with the plain map's search, which is told the same by factors of lanes and must find their costs to a thousandth.
 
-use super::{counted, exceeds, print};
+use super::{Job, counted, exceeds, print};
 use mapd_client::vocabulary::{LaneType, VehicleClass};
 use mapd_client::{Lane, Map, Snapshot};
 use mapd_tests::maps::Random;
@@ -124,18 +124,25 @@ pub(super) fn run(probe: &str, folder: &Path) -> bool {
     let path = path.to_string_lossy();
     let mut exceeded = false;
     for Bound { kind, runs, most } in BOUNDS {
-        let own = counted(probe, &[&path, "-", &format!("map-{kind}")], runs);
-        for (overlay, most) in plain.iter().zip(most) {
-            let each = counted(probe, &[&path, overlay, kind], runs);
+        let of_map = format!("map-{kind}");
+        let mut jobs = vec![Job::new(probe, &[&path, "-", &of_map], runs)];
+        jobs.extend(plain.iter().map(|overlay| Job::new(probe, &[&path, overlay, kind], runs)));
+        let counts = counted(&jobs);
+        let own = counts[0];
+        for ((overlay, each), most) in plain.iter().zip(&counts[1..]).zip(most) {
+            let each = *each;
             let name = overlay.rsplit('/').next().unwrap_or_default();
             let what = format!("view, {kind}, {name}: {:.3} of the map's", each / own);
             exceeded |= exceeds(&what, each, own * most, 0);
         }
     }
     for Bound { kind, runs, most } in WRITTEN {
-        for ((overlay, written), most) in overlays.iter().zip(&written).zip(most) {
-            let own = counted(probe, &[written, "-", kind], runs);
-            let each = counted(probe, &[&path, overlay, kind], runs);
+        let own = written.iter().map(|written| Job::new(probe, &[written, "-", kind], runs));
+        let under = overlays.iter().map(|overlay| Job::new(probe, &[&path, overlay, kind], runs));
+        let counts = counted(&own.chain(under).collect::<Vec<_>>());
+        let (own, under) = counts.split_at(written.len());
+        for (((overlay, own), each), most) in overlays.iter().zip(own).zip(under).zip(most) {
+            let (own, each) = (*own, *each);
             let name = overlay.rsplit('/').next().unwrap_or_default();
             let share = each / own;
             let what =
@@ -144,8 +151,9 @@ pub(super) fn run(probe: &str, folder: &Path) -> bool {
         }
     }
     // The probe fails if the two find different costs.
-    let under = |kind: &str| counted(probe, &[&path, &overlays[0], kind], ROUTES);
-    let (view, factors) = (under("open-route"), under("factors-route"));
+    let kinds = ["open-route", "factors-route"];
+    let counts = counted(&kinds.map(|kind| Job::new(probe, &[&path, &overlays[0], kind], ROUTES)));
+    let [view, factors] = [counts[0], counts[1]];
     let share = view / factors;
     let what =
         format!("view, route that is still there, whole: {share:.3} of the search with factors");
@@ -157,8 +165,10 @@ pub(super) fn run(probe: &str, folder: &Path) -> bool {
         r#"{{"entries":[{{"id":"1","kind":"open","vehicles":["passengerCar"],"lanes":[{{"key":"{key}"}}]}}]}}"#
     );
     let opened = write_overlay(map, &opens, &folder.join("opened"));
-    let route = |overlay, kind| counted(probe, &[&path, overlay, kind], ROUTES);
-    let (view, own) = (route(&opened, "route"), route("-", "map-route"));
+    let kinds = [(&*opened, "route"), ("-", "map-route")];
+    let jobs = kinds.map(|(overlay, kind)| Job::new(probe, &[&path, overlay, kind], ROUTES));
+    let counts = counted(&jobs);
+    let [view, own] = [counts[0], counts[1]];
     print(&format!(
         "view, route, one lane opened: {view:.0} instructions, {:.2} of the map's",
         view / own
