@@ -479,11 +479,14 @@ fn check(lives: &[&[Work]], expected: &[Wrong]) {
     assert!(states > 10_000, "{states} states are not all of them");
 }
 
+/// What is wrong, the order, whose lives, and at least what is found.
+type Case = (&'static str, Order, [&'static [Work]; 3], &'static [Wrong]);
+
 #[test]
 fn wrong_orders_are_found() {
     let publish = |publish| Order { publish, ..RIGHT };
     let close = |close| Order { close, ..RIGHT };
-    let cases: [(&str, Order, [&[Work]; 3], &[Wrong]); 13] = [
+    let cases: [Case; 13] = [
         (
             "the segment goes before the sequence is stored",
             publish(&[Create, Fill, Write, Drop, Store, Wake]),
