@@ -144,7 +144,7 @@ fn a_change_of_lane_is_one() {
     let random = &mut maps::Random(5);
     let fixes: Vec<_> = (0..24u8)
         .map(|i| {
-            let share = ((f64::from(i) - 10.0) / 4.0).clamp(0.0, 1.0);
+            let share = mapd_geometry::clamp((f64::from(i) - 10.0) / 4.0, 0.0, 1.0);
             let noise = DVec2::new(drives::normal(random), drives::normal(random)) * 0.3;
             fix(f64::from(i), 5.0 + 12.0 * f64::from(i) + noise.x, -5.25 + 3.5 * share + noise.y)
         })

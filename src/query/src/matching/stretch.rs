@@ -23,7 +23,7 @@ const MAX_PARTS: usize = 64;
 pub(super) const MIN_STRETCH: f64 = 0.2;
 
 /// The line across a lane at s, from the place `local`.
-#[inline]
+#[inline(always)]
 pub(super) fn cross_line(
     lane: &Lane<'_>,
     slab: &Slab<'_>,
