@@ -61,7 +61,7 @@ pub fn compile_file_with(
         ..reading.clone()
     };
     let mut input = Input::open(path)?;
-    let compiled = compile_from(|| input.from_start(), &reading, options, progress);
+    let compiled = compile_from(|| input.reopen(), &reading, options, progress);
     compiled.map_err(|error| {
         let is_unfit = error.get_ref().is_some_and(|inner| inner.is::<PatchError>());
         let said = format!("reading {}", path.display());
@@ -98,7 +98,7 @@ impl<'a> Input<'a> {
     /// The file from its start.
     ///
     /// Errors: it cannot be opened again, as a pipe.
-    pub(crate) fn from_start(&mut self) -> io::Result<File> {
+    pub(crate) fn reopen(&mut self) -> io::Result<File> {
         match self.first.take() {
             Some(first) => Ok(first),
             None if self.is_pipe => Err(io::Error::other(

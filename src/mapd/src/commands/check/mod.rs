@@ -131,7 +131,7 @@ impl CheckCommand {
         let mut input = Input::open(file)?;
         let reading = self.reading.options(file)?;
         let show = &mut |p| bar.show(p);
-        let checked = mapd_compiler::check_with(|| input.from_start(), &reading, &options, show)
+        let checked = mapd_compiler::check_with(|| input.reopen(), &reading, &options, show)
             .with_context(|| format!("reading {}", file.display()))?;
         bar.finish();
         match if self.json { Format::Json } else { self.format } {
