@@ -2,6 +2,7 @@
 
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::localisation::{MarkFilter, MarkKinds, MarkPoint, MarkSource};
+use mapd_client::objects::ObjectPlacement;
 use mapd_client::vocabulary::{RoadMarkColor, RoadMarkKind};
 use mapd_client::{Map, Region};
 use mapd_tests::maps::{self, Random};
