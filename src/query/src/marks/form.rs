@@ -84,7 +84,7 @@ impl Round {
     /// Along the first end's direction and to its left, both from there to the point; then the direction from the centre to the point, and the point's
     /// distance from that, times the curvature.
     #[inline]
-    fn from_start(&self, local: DVec2) -> (DVec2, DVec2, f64) {
+    fn seen_from_start(&self, local: DVec2) -> (DVec2, DVec2, f64) {
         let away = local - self.ends[0];
         let own = DVec2::new(away.dot(self.tangents[0]), self.tangents[0].perp_dot(away));
         let turned = DVec2::new(1.0 - self.curvature * own.y, self.curvature * own.x);
@@ -109,7 +109,7 @@ impl Form {
             Self::Round(arc) => Some(match arc.end(local) {
                 Some(end) => arc.ends[end].distance(local),
                 None => {
-                    let (own, _, radius) = arc.from_start(local);
+                    let (own, _, radius) = arc.seen_from_start(local);
                     arc.lateral(own, radius).abs()
                 }
             }),
@@ -130,7 +130,7 @@ impl Form {
                     let normal = arc.tangents[end].perp();
                     return Some(CoursePoint { s: arc.s[end], place: arc.ends[end], normal });
                 }
-                let (own, turned, radius) = arc.from_start(local);
+                let (own, turned, radius) = arc.seen_from_start(local);
                 let turn = libm::atan2(turned.y, turned.x);
                 let s = arc.s[0] + turn / arc.line_curvature;
                 // At the centre every direction is as good.

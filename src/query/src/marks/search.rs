@@ -115,7 +115,9 @@ impl<'m, 'f> Search<'m, 'f> {
         let distance =
             distance.unwrap_or_else(|| candidate.course.searched(local).place.distance(local));
         let limit = self.limit();
-        if !(distance <= limit) {
+        // What is no number is not near.
+        let is_near = distance <= limit;
+        if !is_near {
             return;
         }
         let is_better = match &self.best {
