@@ -156,7 +156,8 @@ fn edge_distance(place: &ObjectPlacement<'_>, at: DVec2) -> f64 {
         for (i, a) in corners.iter().enumerate() {
             for b in &corners[i + 1..] {
                 let way = *b - *a;
-                let share = ((at - *a).dot(way) / way.length_squared().max(1e-18)).clamp(0.0, 1.0);
+                let share = (at - *a).dot(way) / way.length_squared().max(1e-18);
+                let share = mapd_geometry::clamp(share, 0.0, 1.0);
                 least = least.min(at.distance(*a + share * way));
             }
         }

@@ -1,6 +1,7 @@
 //! The arc length of a plane cubic as a function of its parameter, and the inverse.
 
 use super::CompileError;
+use crate::clamp;
 use crate::parametric::Cubics;
 
 /// Positive nodes and weights of the ten-point Gauss–Legendre rule.
@@ -107,7 +108,7 @@ impl<'a> ArcLength<'a> {
             if step.abs() <= LAST_STEP * width {
                 // Of the bracket, rounding alone leads out.
                 return if next.is_finite() {
-                    next.clamp(low.parameter, high.parameter)
+                    clamp(next, low.parameter, high.parameter)
                 } else {
                     p
                 };
