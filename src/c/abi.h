@@ -680,6 +680,12 @@ typedef struct mapd_overtaking_rule {
   struct mapd_signal_id all;
   struct mapd_signal_id trucks;
 } mapd_overtaking_rule;
+typedef struct mapd_vehicle_outline {
+  double front;
+  double back;
+  double left;
+  double right;
+} mapd_vehicle_outline;
 typedef struct mapd_match_options {
   size_t size;
   uint64_t types;
@@ -693,6 +699,7 @@ typedef struct mapd_match_options {
   uint8_t has_z_tolerance;
   uint8_t has_vehicle;
   uint8_t vehicle;
+  struct mapd_vehicle_outline outline;
 } mapd_match_options;
 typedef struct mapd_trace_options {
   size_t size;
@@ -774,6 +781,7 @@ typedef struct mapd_mark_filter {
   double radius;
   uint64_t kinds;
   uint64_t types;
+  uint8_t objects;
 } mapd_mark_filter;
 typedef struct mapd_near_mark {
   struct mapd_lane_id lane;
@@ -1295,6 +1303,8 @@ typedef struct mapd_mark_point {
   double width;
   uint8_t kind;
   uint8_t color;
+  uint8_t is_outline;
+  struct mapd_placement_id place;
 } mapd_mark_point;
 typedef struct mapd_surface {
   struct mapd_vec3 position;
@@ -1740,18 +1750,24 @@ mapd_code mapd_tracker_probability_in(struct mapd_tracker *tracker,
 mapd_code mapd_tracker_reset(struct mapd_tracker *tracker, struct mapd_error *error);
 mapd_code mapd_ground_at(const struct mapd_snapshot *snapshot,
                          struct mapd_point point,
+                         const struct mapd_lane_id *expected,
+                         size_t expected_count,
                          struct mapd_scratch *scratch,
                          struct mapd_ground *out,
                          struct mapd_error *error);
 mapd_code mapd_ground_at_batch(const struct mapd_snapshot *snapshot,
                                const struct mapd_point *points,
                                size_t count,
+                               const struct mapd_lane_id *expected,
+                               size_t expected_count,
                                struct mapd_scratch *scratch,
                                struct mapd_ground *out,
                                struct mapd_error *error);
 mapd_code mapd_stance_at(const struct mapd_snapshot *snapshot,
                          struct mapd_vehicle_pose pose,
                          const struct mapd_vec2 *wheels,
+                         const struct mapd_lane_id *expected,
+                         size_t expected_count,
                          struct mapd_scratch *scratch,
                          struct mapd_stance *out,
                          struct mapd_error *error);
@@ -2597,6 +2613,28 @@ mapd_code mapd_to_geodetic_batch(const struct mapd_projector *projector,
                                  size_t count,
                                  struct mapd_geodetic *out,
                                  struct mapd_error *error);
+mapd_code mapd_from_geodetic_batch(const struct mapd_projector *projector,
+                                   const struct mapd_geodetic *places,
+                                   size_t count,
+                                   struct mapd_vec3 *out,
+                                   struct mapd_error *error);
+mapd_code mapd_north_at_batch(const struct mapd_projector *projector,
+                              const struct mapd_vec3 *points,
+                              size_t count,
+                              double *out,
+                              struct mapd_error *error);
+mapd_code mapd_to_enu_batch(const struct mapd_projector *projector,
+                            struct mapd_vec3 origin,
+                            const struct mapd_vec3 *points,
+                            size_t count,
+                            struct mapd_vec3 *out,
+                            struct mapd_error *error);
+mapd_code mapd_from_enu_batch(const struct mapd_projector *projector,
+                              struct mapd_vec3 origin,
+                              const struct mapd_vec3 *places,
+                              size_t count,
+                              struct mapd_vec3 *out,
+                              struct mapd_error *error);
 mapd_code mapd_nearest_lane_geodetic(const struct mapd_snapshot *snapshot,
                                      const struct mapd_projector *projector,
                                      struct mapd_geodetic place,

@@ -2121,6 +2121,10 @@ typedef struct mapd_mark_filter {
    Types of lanes whose borders count, on either side, as in `mapd_nearest_options`. Default all.
    */
   uint64_t types;
+  /*
+   0: what is painted as an object does not count in `mapd_mark_points`. Default 1.
+   */
+  uint8_t objects;
 } mapd_mark_filter;
 
 /*
@@ -4056,33 +4060,41 @@ typedef struct mapd_road_mark_segment {
 } mapd_road_mark_segment;
 
 /*
- A painted place of a road mark.
+ A painted place.
  */
 typedef struct mapd_mark_point {
   /*
-   In the middle of the line, on the plane h = 0, inertial [m].
+   In the middle of the line, of a road mark on the plane h = 0, inertial [m].
    */
   struct mapd_vec3 position;
   /*
-   The lane on whose outer border the mark lies; lane 0 for marks of the centre.
+   The lane on whose outer border the mark lies, lane 0 for marks of the centre; of an object a row of `MAPD_NO_ROW`.
    */
   struct mapd_lane_id lane;
   /*
-   Along the road [m].
+   Along the road [m]; of an object that of its origin.
    */
   double s;
   /*
-   Width of the line [m].
+   Width of the line [m]; 0 of an outline, and where an object's line gives none.
    */
   double width;
   /*
-   A `MAPD_ROAD_MARK_KIND_…`.
+   A `MAPD_ROAD_MARK_KIND_…`; of an object broken or solid, or a curb.
    */
   uint8_t kind;
   /*
    A `MAPD_ROAD_MARK_COLOR_…`: the line's own, or the mark's.
    */
   uint8_t color;
+  /*
+   1: on the outline of an object that is painted as a whole, and for which the file gives no lines.
+   */
+  uint8_t is_outline;
+  /*
+   The place of the object that it belongs to; its object's row is `MAPD_NO_ROW` for a mark of a lane.
+   */
+  struct mapd_placement_id place;
 } mapd_mark_point;
 
 /*
@@ -5196,13 +5208,16 @@ mapd_code mapd_tracker_probability_in(struct mapd_tracker *tracker,
 mapd_code mapd_tracker_reset(struct mapd_tracker *tracker, struct mapd_error *error);
 
 /*
- The ground at a place, on the level whose height is nearest to the point's z; on the lowest one of a point without z. Heights more than
- 2 m apart are levels of their own. `MAPD_CODE_NONE` beside all lanes.
+ The ground at a place, on the level whose height is nearest to the point's z. A point without z is on the lowest level with one of `expected_count` lanes, such as the one
+ that the vehicle was in and those that it can reach from there; with none of them, on the lowest one. Heights more than 2 m apart are levels of
+ their own. `expected`: null with a count of 0 is fine. `MAPD_CODE_NONE` beside all lanes.
 
  Errors: `MAPD_CODE_NOT_FINITE`.
  */
 mapd_code mapd_ground_at(const struct mapd_snapshot *snapshot,
                          struct mapd_point point,
+                         const struct mapd_lane_id *expected,
+                         size_t expected_count,
                          struct mapd_scratch *scratch,
                          struct mapd_ground *out,
                          struct mapd_error *error);
@@ -5215,13 +5230,15 @@ mapd_code mapd_ground_at(const struct mapd_snapshot *snapshot,
 mapd_code mapd_ground_at_batch(const struct mapd_snapshot *snapshot,
                                const struct mapd_point *points,
                                size_t count,
+                               const struct mapd_lane_id *expected,
+                               size_t expected_count,
                                struct mapd_scratch *scratch,
                                struct mapd_ground *out,
                                struct mapd_error *error);
 
 /*
  How a vehicle stands at a pose: the plane through the ground below its wheels, nearest to all four. `wheels` are four places where they touch the
- ground, from the reference point ahead (x) and to the left (y) [m]; the pose's z, if known, decides on which level. Pitch and roll follow heading, in
+ ground, from the reference point ahead (x) and to the left (y) [m]; the pose's z, if known, decides on which level, then the expected lanes, as in `mapd_ground_at`. Pitch and roll follow heading, in
  this order. `MAPD_CODE_NONE` with ground below fewer than three wheels, or wheels in a line.
 
  Errors: `MAPD_CODE_NOT_FINITE`.
@@ -5229,6 +5246,8 @@ mapd_code mapd_ground_at_batch(const struct mapd_snapshot *snapshot,
 mapd_code mapd_stance_at(const struct mapd_snapshot *snapshot,
                          struct mapd_vehicle_pose pose,
                          const struct mapd_vec2 *wheels,
+                         const struct mapd_lane_id *expected,
+                         size_t expected_count,
                          struct mapd_scratch *scratch,
                          struct mapd_stance *out,
                          struct mapd_error *error);
@@ -6587,9 +6606,9 @@ mapd_code mapd_road_mark_segments(const struct mapd_snapshot *snapshot,
                                   struct mapd_error *error);
 
 /*
- Points along the lines of road marks in a rectangle, at every multiple of `spacing` [m] of their road's s, 1 cm at least: the same ones whatever
- rectangle they are asked for by. Gaps of broken lines have none; where the file does not say which places are gaps, all have. Of the filter kinds and lane
- types count; null is the default. In no particular order.
+ Points along all paint and kerbs in a rectangle, at every multiple of `spacing` [m] of their road's s, of lines along objects from their beginning; 1 cm at
+ least: the same ones whatever rectangle they are asked for by. Gaps of broken lines have none; where the file does not say which places are gaps, all
+ have. Of the filter kinds, lane types and `objects` count; null is the default. In no particular order.
 
  Errors: `MAPD_CODE_NOT_FINITE`.
  */
