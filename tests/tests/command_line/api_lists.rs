@@ -21,6 +21,7 @@ const EXHAUSTIVE: &[(&str, &str)] = &[
     ("mapd_overlay::RoadId", "the two forms in JSON: text, or a number"),
     ("mapd_query::Clamped", "an s lies within, before or after"),
     ("mapd_query::localisation::LandmarkSource", "a map has signals and objects; C has both"),
+    ("mapd_query::localisation::MarkSource", "of a road mark, or of an object; C has both"),
     ("mapd_query::localisation::Side", "there are two sides"),
     ("mapd_query::localisation::Tracked", "in a lane, in none, or unknown; a planner handles all"),
     ("mapd_query::roads::RoadLink", "OpenDRIVE links roads to roads and to junctions"),

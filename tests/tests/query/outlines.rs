@@ -266,3 +266,109 @@ fn a_tracked_vehicle_that_straddles_is_in_two_lanes() {
     let (first, second, found) = shares(Some(CAR));
     assert!(second > 0.2 && first < 0.8, "{first} {second} {found:?}");
 }
+
+/// A pose of whose heading nothing is known, and whose place is known within `thin` in one direction, within `long` in another `[m]`.
+struct Thin {
+    at: VehiclePose,
+    long: f64,
+    thin: f64,
+    /// Where it is known least `[rad]`.
+    direction: f64,
+}
+
+impl Thin {
+    fn spread(&self) -> DMat3 {
+        let root = DMat3::from_rotation_z(self.direction)
+            * DMat3::from_diagonal(DVec3::new(self.long, self.thin, 0.0));
+        let spread = root * root.transpose();
+        (spread + spread.transpose()) * 0.5 + diagonal([0.0, 0.0, 1e3])
+    }
+
+    /// Shares, and that of `none`.
+    fn shares(&self, map: Map<'_>, outline: VehicleOutline) -> (Shares, f64) {
+        let options = MatchOptions { outline: Some(outline), ..MatchOptions::default() };
+        let mut out = Vec::new();
+        let none = map.match_pose(&self.at, &self.spread(), &options, &mut out);
+        let shares = out.iter().map(|one| ((one.lane, one.forward), one.probability));
+        (shares.collect(), none.expect("an answer"))
+    }
+
+    /// The same as an average over poses along the direction, each known as well in every direction: the trapezoidal rule, exact for a density.
+    fn averaged(&self, map: Map<'_>, outline: VehicleOutline) -> (Shares, f64) {
+        let along = (self.long * self.long - self.thin * self.thin).sqrt();
+        let step = 1.1 * self.thin / along;
+        let count = (4.8 / step).ceil() as i32;
+        let mut weights = Shares::new();
+        for i in -count..=count {
+            let z = f64::from(i) * step;
+            let moved = self.at.position.xy + DVec2::from_angle(self.direction) * (along * z);
+            let one = Self { at: pose(moved, self.at.heading), long: self.thin, ..*self };
+            let (shares, none) = one.shares(map, outline);
+            let share = step * (-0.5 * z * z).exp() / TAU.sqrt();
+            for (key, found) in shares {
+                *weights.entry(key).or_default() += share * found / none;
+            }
+        }
+        let all = 1.0 + weights.values().sum::<f64>();
+        (weights.into_iter().map(|(key, weight)| (key, weight / all)).collect(), 1.0 / all)
+    }
+
+    fn check(&self, map: Map<'_>, outline: VehicleOutline, expected: &(Shares, f64)) {
+        let (got, none) = self.shares(map, outline);
+        let Self { at, long, thin, direction } = self;
+        let close = |got: f64, wanted: f64| {
+            assert!(
+                (got - wanted).abs() <= ERROR,
+                "{at:?} {long} {thin} {direction}: {got}, not {wanted}"
+            );
+        };
+        close(none, expected.1);
+        for key in got.keys().chain(expected.0.keys()) {
+            let [one, other] = [&got, &expected.0].map(|of| of.get(key).copied().unwrap_or(0.0));
+            close(one, other);
+        }
+    }
+}
+
+/// A pose known a hundred times better along the lane than across it had no share in the lane: no place of the rule met the density. The road is
+/// straight there: shares are the same wherever the pose is.
+#[test]
+fn a_pose_known_well_only_along_the_lane_is_in_it() {
+    let snapshot = maps::open(&carried("one_road.xodr"));
+    let motorcycle = VehicleOutline { front: 1.1, back: 1.1, left: 0.4, right: 0.4 };
+    let square = VehicleOutline { front: 1.0, back: 1.0, left: 1.0, right: 1.0 };
+    for (outline, long, thin) in
+        [(CAR, 5.0, 0.05), (CAR, 3.0, 0.05), (motorcycle, 2.0, 0.02), (square, 5.0, 0.02)]
+    {
+        let at = |x: f64| pose(DVec2::new(x, 5.0), FRAC_PI_2);
+        let one = |x: f64| Thin { at: at(x), long, thin, direction: FRAC_PI_2 };
+        let expected = one(30.0).averaged(snapshot.map(), outline);
+        assert!(expected.1 < 0.1, "none {}", expected.1);
+        for i in 0..200u8 {
+            one(10.0 + 0.167 * f64::from(i)).check(snapshot.map(), outline, &expected);
+        }
+    }
+}
+
+/// Deviations up to 250 times as large in one direction as in the other, at any angle to straight and bent lanes.
+#[test]
+fn shares_are_the_average_for_places_known_in_one_direction() {
+    for (name, seed) in [("one_road.xodr", 21), ("town.xodr", 22)] {
+        let snapshot = maps::open(&carried(name));
+        let (map, mut random) = (snapshot.map(), Random(seed));
+        for ratio in [10.0, 30.0, 60.0, 120.0, 250.0] {
+            let near = loop {
+                let point = random.point(map);
+                let near = map.nearest_lane(point, &Default::default()).expect("an answer");
+                if let Some(near) = near.filter(|near| near.position.distance < 4.0) {
+                    break (point, near.position.heading);
+                }
+            };
+            let long = random.between(1.0, 4.0);
+            let heading = near.1 + random.between(-3.0, 3.0);
+            let direction = random.between(-3.0, 3.0);
+            let one = Thin { at: pose(near.0, heading), long, thin: long / ratio, direction };
+            one.check(map, CAR, &one.averaged(map, CAR));
+        }
+    }
+}

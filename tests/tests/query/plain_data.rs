@@ -3,7 +3,7 @@
 
 use mapd_client::document::{HeaderOffset, Revision, SourcePosition};
 use mapd_client::junctions::{ConnectedLanes, GridHeight};
-use mapd_client::localisation::{LaneMatch, Sensor, TracePosition};
+use mapd_client::localisation::{LaneMatch, Sensor, TracePosition, VehicleOutline};
 use mapd_client::objects::SkeletonVertex;
 use mapd_client::path::{
     EdgeMark, PathConflict, PathJoint, PathLane, PathPoint, PathPosition, PathTime, YieldsBy,
@@ -34,7 +34,7 @@ plain! {
     AlternativeOptions BoundarySegment Bounds ConnectedLanes EdgeMark GridHeight HeaderOffset LaneChangeAhead LaneEdges LaneHeight LaneMatch
     LanePosition LaneRange LaneSpeed LightStates LinePoint Nearest NearSignal NextJunction PathConflict PathJoint PathLane PathPoint
     PathPosition PathTime Pose PositionOnLane ReachLink Region Revision RoadMarkSegment Route RouteStep Sensor ShortestLength ShortestTime
-    SkeletonVertex SourcePosition SRange TracePosition Track Waypoint YieldsBy
+    SkeletonVertex SourcePosition SRange TracePosition Track VehicleOutline Waypoint YieldsBy
 }
 
 /// Structs whose public fields are plain, and why their layout is Rust's own.

@@ -31,6 +31,11 @@ pub(super) struct CrossLine {
 }
 
 impl CrossLine {
+    /// Unit vector along the reference line.
+    pub(super) fn tangent(&self) -> DVec2 {
+        DVec2::new(self.normal.y, -self.normal.x)
+    }
+
     /// Without what lies beyond the centre of curvature: there is no area of this s.
     #[inline]
     pub(super) fn within_curvature(&self) -> Self {
@@ -119,6 +124,16 @@ impl PoseDensity {
         let [x, y, turn] = [self.precision.x_axis, self.precision.y_axis, self.precision.z_axis];
         let own = DMat2::from_cols(x.truncate(), y.truncate());
         (own, -(own.inverse() * turn.truncate()))
+    }
+
+    /// Deviation of the heading `[rad]`, if anything is known of it.
+    pub(super) fn known_deviation(&self) -> Option<f64> {
+        self.knows_heading().then_some(self.heading_deviation)
+    }
+
+    /// The least turn `[rad]` that leads from the pose's heading to a direction; 0 where nothing is known of it.
+    pub(super) fn turn_to(&self, direction: f64) -> f64 {
+        if self.knows_heading() { normalize_angle(direction - self.heading) } else { 0.0 }
     }
 
     /// Tells of every turn that leads from the pose's heading to a direction, with its density.

@@ -3,9 +3,11 @@
 //!
 //! Across a lane, both the outline's slice and the lane are intervals: the integral over both of a normal density is exact. Along
 //! it there are two more: over the outline, whose edges are straight, by Gauss's rule of two points for the normal density between
-//! two corners; and over s, by the rule of Gauss and Kronrod, halved until [`SHARE_ERROR`] is kept.
+//! two corners; and over s, by the rule of Gauss and Kronrod, on parts that begin and end where the density does, halved until
+//! [`SHARE_ERROR`] is kept.
 
 use super::MatchError;
+use super::cuts::Cuts;
 use super::density::{CrossLine, MAP_DEVIATION, PoseDensity, REACH, share_between};
 use super::stretch::{MIN_STRETCH, cross_line};
 use crate::area::Slab;
@@ -14,24 +16,34 @@ use glam::{DMat2, DVec2};
 use mapd_geometry::{clamp, cos_sin};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
-/// Bound of the error of a lane's share, where all hypotheses have 1.
+/// Bound of the error of a lane's share, where all hypotheses have 1. What is compared with it is the sum of the parts' estimates: each is
+/// that of the rule of seven points, far above that of fifteen.
 const SHARE_ERROR: f64 = 1e-4;
-/// What an estimate of a part's error may be, as a share of the whole: it is that of the rule of seven points, far above that of fifteen.
-const PART_ERROR: f64 = 0.1 * SHARE_ERROR;
 /// Largest size of an outline to each side `[m]`.
 const MOST_SIZE: f64 = 100.0;
-/// Deviations around a corner's s that are a part of their own.
-const CORNER: f64 = 3.0;
-/// Parts nearer than this, in deviations, are one.
-const LEAST_PART: f64 = 0.5;
+/// A part is no longer than the outline along s and so many deviations, for its fifteen places to meet the density.
+const LONGEST_PART: f64 = 6.0;
+/// Into how many such parts what lies between two cuts is divided at most.
+const MOST_PARTS: f64 = 64.0;
 /// Parts of a stretch that are halved at most, and that wait for it.
-const MOST_HALVED: usize = 128;
-const MOST_WAITING: usize = 32;
+const MOST_HALVED: usize = 512;
+const MOST_WAITING: usize = 256;
+/// From so many times the least deviation on, the greatest makes a density that needs cuts of its own.
+const THIN: f64 = 4.0;
+/// Radians that the line turns between two places at which such cuts are sought, and how many places there are.
+const TURN_STEP: f64 = 0.2;
+const PLACES: [f64; 2] = [4.0, 64.0];
+/// Steps to the place of such a cut, which ends them when it is so near, in deviations.
+const CROSSING_STEPS: usize = 6;
+const NEAR_CROSSING: f64 = 0.2;
 /// Steps of Newton's method for a corner's s.
 const CORNER_STEPS: usize = 4;
 /// By how many deviations across an edge may move over a part of the outline to which the rule of two points is applied.
-const SLANT: f64 = 0.4;
+const SLANT: f64 = 0.3;
 const MOST_SLANTED: f64 = 32.0;
+/// As [`SLANT`], where an edge passes the lane's border within a small part of a slice, and deviations to each side which that takes.
+const STEEP_SLANT: f64 = 0.4;
+const PASSAGE: f64 = 5.0;
 /// Deviations across between which most of a normal density lies, for that.
 const BROAD: f64 = 4.0;
 /// Below this a part's moments lose their digits, in deviations.
@@ -59,6 +71,7 @@ const GAUSS: [f64; 4] = [
 ];
 
 /// Plan view of a vehicle: a rectangle around the place of its pose, along its heading.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VehicleOutline {
@@ -147,46 +160,130 @@ impl Footprint {
         let at_foot = cut(foot);
         let stretch = |l: f64| 1.0 - at_foot.curvature * l;
         let least = stretch(at_foot.low).min(stretch(at_foot.high)).max(MIN_STRETCH);
-        let reach = density.reach / least;
-        let deviation = reach / REACH;
-        let corners = self.corners.map(|corner| corner_s(foot, corner, cut));
-        let window = reach + self.radius() / least;
+        let window = (density.reach + self.radius()) / least;
         let from = clamp(foot - window, slab.s_lo, slab.s_hi);
         let to = clamp(foot + window, slab.s_lo, slab.s_hi);
         let has_area = from < to;
         if !has_area {
             return 0.0;
         }
-        let mut cuts = [to; 9];
-        for (i, s) in corners.iter().enumerate() {
-            cuts[2 * i] = s - CORNER * deviation;
-            cuts[2 * i + 1] = s + CORNER * deviation;
-        }
-        cuts.sort_unstable_by(f64::total_cmp);
+        let mut cuts = Cuts::new(from, to);
+        self.cut_at_corners(foot, cut, density, &mut cuts);
+        self.cut_at_borders(foot, cut, density, &mut cuts);
+        let longest = self.longest_part(&at_foot) / least;
         let value = |s: f64| self.integral(&cut(s), density);
-        let mut waiting = Waiting::default();
-        let (mut sum, mut begin) = (0.0, from);
-        for s in cuts {
-            let is_last = s >= to;
-            if is_last || s > begin + LEAST_PART * deviation && s < to - LEAST_PART * deviation {
-                let part = Part::new(begin, s.min(to), value);
-                sum += part.sum;
-                waiting.push(part);
-                begin = part.to;
+        let mut waiting = Waiting::new();
+        cuts.each_part(|begin, end| {
+            let parts = clamp(((end - begin) / longest).ceil(), 1.0, MOST_PARTS);
+            let step = (end - begin) / parts;
+            for i in 0..parts as usize {
+                let start = begin + step * i as f64;
+                waiting.push(Part::new(start, start + step, value));
             }
-            if is_last {
+        });
+        for _ in 0..MOST_HALVED {
+            if waiting.error <= SHARE_ERROR * (waiting.sum + self.none) {
                 break;
             }
-        }
-        for _ in 0..MOST_HALVED {
-            let allowed = PART_ERROR * (sum + self.none);
-            let Some(part) = waiting.worst().filter(|part| part.error > allowed) else { break };
+            let Some(part) = waiting.worst() else { break };
             let middle = 0.5 * (part.from + part.to);
-            let halves = [Part::new(part.from, middle, value), Part::new(middle, part.to, value)];
-            sum += halves[0].sum + halves[1].sum - part.sum;
-            halves.into_iter().for_each(|half| waiting.push(half));
+            for (from, to) in [(part.from, middle), (middle, part.to)] {
+                waiting.push(Part::new(from, to, value));
+            }
         }
-        sum.max(0.0)
+        waiting.sum.max(0.0)
+    }
+
+    /// Length of a part that cannot lie around all of the density without a place on it.
+    fn longest_part(&self, line: &CrossLine) -> f64 {
+        let tangent = line.tangent();
+        let places = self.corners.map(|corner| tangent.dot(corner));
+        let (low, high) = places
+            .iter()
+            .fold((0.0f64, 0.0f64), |(low, high), place| (low.min(*place), high.max(*place)));
+        high - low + LONGEST_PART / tangent.dot(self.precision * tangent).sqrt()
+    }
+
+    /// Where the mean position is, for a line's direction.
+    fn mean(&self, line: &CrossLine, density: &PoseDensity) -> DVec2 {
+        self.gain * density.turn_to(line.direction)
+    }
+
+    /// Cuts at the corners' s, where each begins or ends the outline along the line.
+    fn cut_at_corners(
+        &self,
+        foot: f64,
+        cut: impl Fn(f64) -> CrossLine,
+        density: &PoseDensity,
+        cuts: &mut Cuts,
+    ) {
+        for corner in self.corners {
+            let (mut s, mut deviation) = (foot, 0.0);
+            for _ in 0..=CORNER_STEPS {
+                let line = cut(s);
+                let tangent = line.tangent();
+                let away = corner + self.mean(&line, density) - line.foot;
+                let stretch = 1.0 - line.curvature * line.normal.dot(away);
+                let stretch = stretch.max(MIN_STRETCH);
+                s += tangent.dot(away) / stretch;
+                deviation = tangent.dot(self.covariance * tangent).sqrt() / stretch;
+            }
+            cuts.add(s, deviation);
+        }
+    }
+
+    /// Cuts where the lane's borders lead into what is left of a corner when its place is known far better in one direction than in the other, and
+    /// where the lane turns through the pose's heading within a small part of the stretch.
+    fn cut_at_borders(
+        &self,
+        foot: f64,
+        cut: impl Fn(f64) -> CrossLine,
+        density: &PoseDensity,
+        cuts: &mut Cuts,
+    ) {
+        let (from, to) = (cuts.from, cuts.to);
+        let [least, greatest] = axes(&self.covariance);
+        let is_thin = greatest.length() > THIN * least.length();
+        let bend = [from, foot, to].map(|s| cut(s).curvature.abs()).into_iter().fold(0.0, f64::max);
+        let turn = bend * (to - from);
+        let heading = density.known_deviation().filter(|known| turn > 2.0 * REACH * known);
+        if !is_thin && heading.is_none() {
+            return;
+        }
+        let corners = if is_thin { &self.corners[..] } else { &[] };
+        // Along both axes, in deviations.
+        let (thin, long) = (least / least.length_squared(), greatest / greatest.length_squared());
+        let borders = |s: f64| {
+            let line = cut(s);
+            let foot = line.foot - self.mean(&line, density);
+            [foot + line.normal * line.low, foot + line.normal * line.high]
+        };
+        let steps = clamp((turn / TURN_STEP).ceil(), PLACES[0], PLACES[1]);
+        let place = |i: usize| from + (to - from) / steps * i as f64;
+        let mut before = (from, borders(from));
+        for i in 1..=steps as usize {
+            let after = (place(i), borders(place(i)));
+            for border in 0..2 {
+                let ends = [(before.0, before.1[border]), (after.0, after.1[border])];
+                for corner in corners {
+                    let away = |s: f64| thin.dot(borders(s)[border] - *corner);
+                    let at = |(s, place): (f64, DVec2)| (s, thin.dot(place - *corner));
+                    let Some((s, deviation)) = crossing(ends.map(at), away) else { continue };
+                    if long.dot(borders(s)[border] - *corner).abs() <= CERTAIN {
+                        cuts.add(s, deviation);
+                    }
+                }
+            }
+            if let Some(known) = heading {
+                let turn = |s: f64| density.turn_to(cut(s).direction) / known;
+                let ends = [before.0, after.0].map(|s| (s, turn(s)));
+                let leaps = (ends[0].1 - ends[1].1).abs() * known > 0.5 * TAU;
+                if let Some((s, deviation)) = crossing(ends, turn).filter(|_| !leaps) {
+                    cuts.add(s, deviation);
+                }
+            }
+            before = after;
+        }
     }
 
     /// Integral along a line across a lane, of the density times 1 − κ·l.
@@ -205,7 +302,7 @@ impl Footprint {
 
     /// The density of the place of a vehicle whose position has this mean, along a line across.
     fn overlap(&self, line: &CrossLine, mean: DVec2) -> f64 {
-        let (normal, tangent) = (line.normal, DVec2::new(line.normal.y, -line.normal.x));
+        let (normal, tangent) = (line.normal, line.tangent());
         let along = tangent.dot(self.covariance * tangent).sqrt();
         let across = 1.0 / normal.dot(self.precision * normal).sqrt();
         let lean = normal.dot(self.covariance * tangent) / (along * along);
@@ -236,16 +333,36 @@ impl Footprint {
     }
 }
 
-/// The s of a corner: where it is on the line across.
-fn corner_s(foot: f64, corner: DVec2, cut: impl Fn(f64) -> CrossLine) -> f64 {
-    let mut s = foot;
-    for _ in 0..CORNER_STEPS {
-        let line = cut(s);
-        let away = corner - line.foot;
-        let stretch = 1.0 - line.curvature * line.normal.dot(away);
-        s += DVec2::new(line.normal.y, -line.normal.x).dot(away) / stretch.max(MIN_STRETCH);
+/// The axes of a covariance, each as long as its deviation: the least first.
+fn axes(covariance: &DMat2) -> [DVec2; 2] {
+    let (a, b, d) = (covariance.x_axis.x, covariance.x_axis.y, covariance.y_axis.y);
+    let great = 0.5 * (a + d) + libm::hypot(0.5 * (a - d), b);
+    let small = covariance.determinant() / great;
+    let (cos, sin) = cos_sin(0.5 * libm::atan2(2.0 * b, a - d));
+    let long = DVec2::new(cos, sin);
+    [long.perp() * small.max(0.0).sqrt(), long * great.sqrt()]
+}
+
+/// Where a value passes 0 between two places, at which it is known, and over what length it changes by 1 there.
+fn crossing(ends: [(f64, f64); 2], value: impl Fn(f64) -> f64) -> Option<(f64, f64)> {
+    let [(mut a, mut low), (mut b, mut high)] = ends;
+    if low * high > 0.0 || low == high {
+        return None;
     }
-    s
+    let mut s = a;
+    for _ in 0..CROSSING_STEPS {
+        s = a + (b - a) * low / (low - high);
+        let here = value(s);
+        if here.abs() <= NEAR_CROSSING || low == high {
+            break;
+        }
+        if here * low > 0.0 {
+            (a, low) = (s, here);
+        } else {
+            (b, high) = (s, here);
+        }
+    }
+    Some((s, ((b - a) / (high - low)).abs()))
 }
 
 /// Integral over the slices between two edges of an outline, from one place along to another, in deviations.
@@ -255,14 +372,44 @@ fn slices([from, to]: [f64; 2], edges: [[DVec2; 2]; 2], line: &CrossLine, across
     let at = |(a, slope): (DVec2, f64), x: f64| a.y + slope * (x - a.x);
     let steep = one.1.abs().max(other.1.abs()) / across;
     let parts = (steep * (to - from).min(BROAD) / SLANT).ceil();
-    let parts = clamp(parts, 1.0, MOST_SLANTED);
-    let step = (to - from) / parts;
-    let mut sum = 0.0;
-    for i in 0..parts as usize {
-        let begin = from + step * i as f64;
-        for (x, share) in normal_rule(begin, begin + step) {
-            let (y, z) = (at(one, x), at(other, x));
-            sum += share * interval_overlap(y.min(z), y.max(z), line, across);
+    let between = |begin: f64, end: f64, parts: f64| {
+        let step = (end - begin) / parts;
+        let mut sum = 0.0;
+        for i in 0..parts as usize {
+            let begin = begin + step * i as f64;
+            for (x, share) in normal_rule(begin, begin + step) {
+                let (y, z) = (at(one, x), at(other, x));
+                sum += share * interval_overlap(y.min(z), y.max(z), line, across);
+            }
+        }
+        sum
+    };
+    if parts <= MOST_SLANTED {
+        return between(from, to, parts.max(1.0));
+    }
+    // Places where an edge passes a border, and how far from them it has passed: elsewhere the rule is exact.
+    let mut passages = [(0.0, -1.0); 4];
+    let mut ends = [to; 9];
+    for (i, (edge, slope)) in [one, one, other, other].into_iter().enumerate() {
+        let border = if i % 2 == 0 { line.low } else { line.high };
+        if slope != 0.0 {
+            let place = edge.x + (border - edge.y) / slope;
+            let half = PASSAGE * across / slope.abs();
+            passages[i] = (place, half);
+            ends[2 * i] = clamp(place - half, from, to);
+            ends[2 * i + 1] = clamp(place + half, from, to);
+        }
+    }
+    ends.sort_unstable_by(f64::total_cmp);
+    let (mut sum, mut begin) = (0.0, from);
+    for end in ends {
+        if begin < end {
+            let middle = 0.5 * (begin + end);
+            let passed = passages.iter().filter(|(place, half)| (middle - place).abs() < *half);
+            let steepest = passed.map(|(_, half)| PASSAGE / half).fold(0.0, f64::max);
+            let parts = (steepest * (end - begin) / STEEP_SLANT).ceil();
+            sum += between(begin, end, clamp(parts, 1.0, MOST_SLANTED));
+            begin = end;
         }
     }
     sum
@@ -356,16 +503,23 @@ impl Part {
     }
 }
 
-/// The parts whose errors are the greatest.
-#[derive(Default)]
+/// The parts of a stretch whose errors are the greatest, and the sums of all.
 struct Waiting {
     parts: [Part; MOST_WAITING],
     count: usize,
+    sum: f64,
+    error: f64,
 }
 
 impl Waiting {
+    fn new() -> Self {
+        Self { parts: [Part::default(); MOST_WAITING], count: 0, sum: 0.0, error: 0.0 }
+    }
+
     /// Into a list that is full, in place of the one with the least error.
     fn push(&mut self, part: Part) {
+        self.sum += part.sum;
+        self.error += part.error;
         if let Some(free) = self.parts.get_mut(self.count) {
             *free = part;
             self.count += 1;
@@ -384,6 +538,8 @@ impl Waiting {
         let part = *part;
         self.count -= 1;
         self.parts.swap(number, self.count);
+        self.sum -= part.sum;
+        self.error -= part.error;
         Some(part)
     }
 }

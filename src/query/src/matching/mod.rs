@@ -6,6 +6,7 @@
 //! with the same probability, wherever it is: its weight is its prior over 2π. Weights are normalised over all hypotheses, for
 //! lanes overlap in junctions. `docs/localisation.md` derives it.
 
+mod cuts;
 mod density;
 mod error;
 mod footprint;
