@@ -167,13 +167,17 @@ pub fn run() -> ExitCode {
             let mut err = io::stderr().lock();
             let mapd = Colours::of(&err).severity(Severity::Error, "mapd:").to_string();
             let _ = writeln!(err, "{mapd} {}", explained(&error));
-            let exit = match error {
-                error if error.is::<UsageError>() => Exit::Usage,
-                error if is_distrust(&error) => Exit::Rejected,
-                _ => Exit::Environment,
-            };
-            exit.into()
+            exit_of(&error).into()
         }
+    }
+}
+
+/// The exit code that an error ends the program with.
+fn exit_of(error: &anyhow::Error) -> Exit {
+    match error {
+        error if error.is::<UsageError>() => Exit::Usage,
+        error if is_distrust(error) => Exit::Rejected,
+        _ => Exit::Environment,
     }
 }
 
@@ -253,9 +257,22 @@ fn serve(cli: &Cli, matches: &ArgMatches) -> Result<Exit> {
         command().print_help()?;
         return Ok(Exit::Usage);
     }
+    let log = &cli.oversight.log;
+    log.init();
+    match served(cli, matches) {
+        // A line of text among lines of JSON would stop who reads them.
+        Err(error) if log.is_json() && !is_broken_pipe(&error) => {
+            tracing::error!("{}", explained(&error));
+            Ok(exit_of(&error))
+        }
+        other => other,
+    }
+}
+
+/// Serves maps until it is stopped, with a log.
+fn served(cli: &Cli, matches: &ArgMatches) -> Result<Exit> {
     let domain = cli.domain.named()?;
     let options = CompileArguments::of(matches);
-    cli.oversight.log.init();
     let settings = cli.daemon.settings(&options, domain)?;
     let key = cli.trust.clone().or(settings.trust.as_ref()).key()?;
     let oversight = cli.oversight.or(&settings.oversight);

@@ -116,6 +116,42 @@ fn logs_as_text_and_as_json_and_as_grave_as_wanted() {
     assert_eq!(daemon.line(), None);
 }
 
+/// With `--log json`, the error that ended the daemon was a line of text.
+#[test]
+fn errors_that_end_a_daemon_are_in_its_log() {
+    let place = place();
+    let mut first = Logged::start(&mut place.command(), &["--log", "json"]);
+    first.event("serving");
+    let (schema, missing) = (schema("log"), "nofile.toml");
+    for (args, exit, words) in [
+        (&["--no-cache"][..], 1, "is served by process"),
+        (&["--overlay-from", missing], 2, missing),
+        (&["--metrics", "0.0.0.0:0"], 2, "--metrics-open"),
+        (&["--prefix", "no/prefix"], 2, "no/prefix"),
+    ] {
+        let ended = |format: &str| {
+            let load = ["--load", &town(), "--log", format];
+            let ended = place.command().args(load).args(args).output().expect("ends");
+            let said = String::from_utf8(ended.stderr).expect("text");
+            assert_eq!(ended.status.code(), Some(exit), "{args:?}: {said}");
+            said
+        };
+        let said = ended("json");
+        let events = said.lines().map(|line| {
+            let event: Value = serde_json::from_str(line).expect("a line of JSON");
+            assert_eq!(wrong(&schema, &event), None, "{line}");
+            event
+        });
+        let last = events.last().expect("a line");
+        let message = last["message"].as_str().expect("a text");
+        assert!(last["level"] == "ERROR" && message.contains(words), "{args:?}: {last}");
+        // Text is as it was: the same words, without a level.
+        let text = ended("text");
+        assert_eq!(text.lines().last(), Some(format!("mapd: {message}").as_str()));
+    }
+    assert_eq!(first.terminate(), Some(0));
+}
+
 /// What the configuration file says counts where the command line is silent.
 #[test]
 fn a_configuration_file_may_say_it() {

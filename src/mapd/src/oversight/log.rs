@@ -48,6 +48,11 @@ pub(crate) enum LogLevel {
 }
 
 impl LogArgs {
+    /// Whether every line of the log is an object.
+    pub(crate) fn is_json(&self) -> bool {
+        self.log == LogFormat::Json
+    }
+
     /// Logs from now on, in all threads. The first call in a process counts.
     pub(crate) fn init(&self) {
         let level = match self.log_level {
