@@ -1,6 +1,7 @@
 //! What the command line promises: exit codes, columns, errors in rows.
 
 use mapd_tests::command;
+use std::io::Read;
 use std::process::{Command, Output, Stdio};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
@@ -579,22 +580,32 @@ fn a_pipe_is_opened_once() {
     let run = |args: &[&str], text: &[u8]| {
         let mut command = Command::new(MAPD);
         let command = command.args(args).arg(&pipe).stdout(Stdio::null());
-        let mut child = command.stderr(Stdio::piped()).spawn();
+        let mut child = command.stderr(Stdio::piped()).spawn().expect("starts");
         // Opens when somebody reads, writes all that the pipe takes, and leaves.
-        std::fs::write(&pipe, text).expect("written");
+        let (to, text) = (pipe.clone(), text.to_vec());
+        let writer = std::thread::spawn(move || std::fs::write(to, text));
         let patience = std::time::Instant::now();
-        let child = child.as_mut().expect("starts");
         while child.try_wait().expect("waits").is_none() {
             if patience.elapsed() > mapd_tests::test_domain::PATIENCE {
                 child.kill().expect("killed");
             }
             std::thread::sleep(std::time::Duration::from_millis(5));
         }
+        // Who ended without having opened the pipe has left the writer waiting: a reader that comes and goes lets it end.
+        while !writer.is_finished() {
+            // A pipe that is opened for both waits for nobody.
+            drop(std::fs::File::options().read(true).write(true).open(&pipe).expect("opens"));
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        // What could not be written, the exit code tells.
+        let _ = writer.join().expect("a thread");
         let mut said = String::new();
         let mut stderr = child.stderr.take().expect("a pipe");
-        std::io::Read::read_to_string(&mut stderr, &mut said).expect("text");
+        stderr.read_to_string(&mut said).expect("text");
         (child.wait().expect("ended").code(), said)
     };
+    // One that ends before it opens the pipe does not keep this test waiting.
+    assert_eq!(run(&["check", "--no-such-option"], &whole).0, Some(2));
     for _ in 0..5 {
         assert_eq!(run(&["compile", "--quiet", "-o", &archive], &whole).0, Some(0));
         assert_eq!(run(&["check"], &whole).0, Some(0));
