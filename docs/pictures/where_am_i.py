@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """The pictures of docs/localisation.md: a piece of what `mapd export --format svg` draws, with what `mapd query` and `mapd match` answer drawn over it.
 
-docs/pictures/where_am_i.py target/debug/mapd
+docs/pictures/where_am_i.py target/debug/mapd [FOLDER]
 
-Needs nothing but Python. The same program writes the same files.
+They are written beside this file, or into FOLDER. Needs nothing but Python. The same program writes the same files.
 """
 
 import csv
@@ -91,7 +91,7 @@ class Drawing:
         kept = [line for line in self.lines if self.keeps(line)]
         head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{x0:.2f} {y0:.2f} {x1 - x0:.2f} {y1 - y0:.2f}">'
         ground = f'<rect class="ground" x="{x0:.2f}" y="{y0:.2f}" width="{x1 - x0:.2f}" height="{y1 - y0:.2f}"/>'
-        (HERE / f"{name}.svg").write_text("\n".join([kept[0], head, kept[1], ground, *kept[2:-1], *self.over, kept[-1]]) + "\n")
+        (FOLDER / f"{name}.svg").write_text("\n".join([kept[0], head, kept[1], ground, *kept[2:-1], *self.over, kept[-1]]) + "\n")
 
 
 # Where the first road of a map begins.
@@ -156,6 +156,7 @@ def marks():
 
 if __name__ == "__main__":
     PROGRAM, ROUTE = sys.argv[1], "1,20,-1:4,50,-1"
+    FOLDER = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else HERE
     candidates()
     trace()
     marks()

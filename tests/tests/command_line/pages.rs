@@ -1,8 +1,10 @@
 //! What pages say of the program is in the program: messages that a page explains, and calls that it names.
 
-use mapd_tests::workspace;
+use mapd_tests::{say, workspace};
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// Crates whose messages a user may see.
 const SPEAKERS: [&str; 7] = [
@@ -130,8 +132,29 @@ fn the_page_on_localisation_shows_its_answers() {
     for (picture, answer) in ANSWERS {
         assert!(page("localisation.md").contains(&format!("](pictures/{picture})")), "{picture}");
         let file = workspace().join("docs/pictures").join(picture);
-        let text = std::fs::read_to_string(&file).expect("the picture can be read");
+        let text = fs::read_to_string(&file).expect("the picture can be read");
         assert!(text.starts_with("<?xml") && text.matches(answer).count() > 1, "{picture}");
+    }
+}
+
+/// The pictures are those that this program's answers make.
+#[test]
+fn pictures_of_answers_are_drawn_again_alike() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let script = workspace().join("docs/pictures/where_am_i.py");
+    let mut python = Command::new("python3");
+    let program = python.arg(script).arg(env!("CARGO_BIN_EXE_mapd_under_test")).arg(folder.path());
+    let drawn = match program.output() {
+        Ok(drawn) => drawn,
+        Err(error) if error.kind() == ErrorKind::NotFound => return say("SKIPPED: no python3"),
+        Err(error) => panic!("{error}"),
+    };
+    assert!(drawn.status.success(), "{}", String::from_utf8_lossy(&drawn.stderr));
+    assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), ANSWERS.len());
+    for (picture, _) in ANSWERS {
+        let [kept, drawn] = [&workspace().join("docs/pictures"), folder.path()]
+            .map(|folder| fs::read(folder.join(picture)).expect("the picture can be read"));
+        assert!(kept == drawn, "run docs/pictures/where_am_i.py: {picture} is another");
     }
 }
 
