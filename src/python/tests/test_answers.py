@@ -92,6 +92,10 @@ class Asked:
             groups[key(question)].append(question)
         return iter(groups.items())
 
+    def expected(self, lane_id: int) -> list[mapd.Lane] | None:
+        """The lane that a question expects, if any."""
+        return None if lane_id == NOTHING else [self.map.lane(lane_id)]
+
 
 def points(questions: list[Question], first: int = 0, with_z: bool = False) -> np.ndarray[Any, np.dtype[np.float64]]:
     places = range(first, first + (3 if with_z else 2))
@@ -389,16 +393,17 @@ def test_lines(asked: Asked) -> None:
 
 
 def test_ground(asked: Asked) -> None:
-    for has_z, questions in asked.by("ground", lambda q: q.numbers[3]):
-        found = asked.map.ground_at(points(questions, with_z=has_z == 1))
+    for (has_z, lane_id), questions in asked.by("ground", lambda q: (q.numbers[3], q.numbers[4])):
+        expected = asked.expected(lane_id)
+        found = asked.map.ground_at(points(questions, with_z=has_z == 1), expected=expected)
         for row, question in enumerate(questions):
             there = found.lane[row] != mapd.NONE
             assert ([1, *columns_of(found, row)] if there else [0]) == question.answer
         for question in questions[:SINGLES]:
             x, y, z = question.f(0, 1, 2)
-            one = asked.map.ground_at((x, y, z) if has_z else (x, y))
+            one = asked.map.ground_at((x, y, z) if has_z else (x, y), expected=expected)
             assert (one is not None) == (question.answer[0] == 1)
-            assert one is None or bits(one.z) == question.answer[1]
+            assert one is None or [bits(one.z), one.lane.id] == [question.answer[1], question.answer[7]]
 
 
 def test_mark(asked: Asked) -> None:

@@ -245,9 +245,11 @@ def test_tracker(asked: Asked) -> None:
 
 def test_stance(asked: Asked) -> None:
     for question in asked.kinds["stance"]:
-        x, y, z, heading = question.f(0, 1, 2, 3)
-        one = asked.map.stance((x, y, z), heading, WHEELS)
-        many = asked.map.stance(np.array([[x, y, z]]), heading, WHEELS)
+        x, y, z, heading = question.f(0, 1, 2, 4)
+        at = (x, y, z) if question.numbers[3] == 1 else (x, y)
+        expected = asked.expected(question.numbers[5])
+        one = asked.map.stance(at, heading, WHEELS, expected=expected)
+        many = asked.map.stance(np.array([at]), heading, WHEELS, expected=expected)
         if one is None:
             assert question.answer == [0] and np.isnan(many.z[0])
             continue

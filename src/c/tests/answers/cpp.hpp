@@ -84,6 +84,12 @@ class Question {
     const mapd::LaneId lane = id();
     return {lane, f()};
   }
+  /// One lane, or none.
+  std::vector<mapd::LaneId> some() {
+    const mapd::LaneId lane = id();
+    if (lane.row == MAPD_NO_ROW) return {};
+    return {lane};
+  }
   /// x, y, z, and whether z counts.
   mapd::Point point() {
     const mapd::Vec2 at = xy();

@@ -4,9 +4,11 @@
 void ground(const uint64_t *q, struct numbers *out) {
   mapd_ground at, batch;
   const mapd_point point = point_of(q);
-  const int found = is(mapd_ground_at(map, point, NULL, 0, scratch, &at, &error));
-  must(mapd_ground_at_batch(map, &point, 1, NULL, 0, scratch, &batch, &error));
-  if ((batch.lane.row != MAPD_NO_ROW) != found) abort();
+  const mapd_lane_id expected = lane_of(q[4]);
+  const size_t count = expected.row != MAPD_NO_ROW;
+  const int found = is(mapd_ground_at(map, point, &expected, count, scratch, &at, &error));
+  must(mapd_ground_at_batch(map, &point, 1, &expected, count, scratch, &batch, &error));
+  if ((batch.lane.row != MAPD_NO_ROW) != found || (found && batch.lane.row != at.lane.row)) abort();
   add_u(out, (uint64_t)found);
   if (!found) return;
   add_f(out, at.z);

@@ -241,7 +241,13 @@ class Answerer {
   }
 
   void ground(Question& q, Numbers& a) {
-    const auto found = map_.ground_at(q.point(), scratch_);
+    const mapd::Point point = q.point();
+    const auto expected = q.some();
+    const auto found = map_.ground_at(point, scratch_, expected);
+    const mapd_point all[] = {point};
+    mapd::Ground batch[1];
+    map_.ground_below(all, batch, scratch_, expected);
+    if (mapd::is_some(batch[0].lane) != found.has_value() || (found && batch[0].lane != found->lane)) std::abort();
     a.u(found.has_value());
     if (found) a.f(found->z).v(found->normal).all(found->s, found->t).id(found->lane).u(found->level).u(found->levels);
   }
@@ -295,9 +301,9 @@ class Answerer {
   void today(Question& q, Numbers& a) { answer_today(under_, q, a, scratch_); }
   void tracker(Question& q, Numbers& a) { answer_tracker(map_, q, a); }
   void stance(Question& q, Numbers& a) {
-    const mapd::Vec2 at = q.xy();
-    const mapd::Point position(at.x, at.y, q.f());
-    const auto own = map_.stance_at({position, q.f()}, {{{2.0, 0.8}, {2.0, -0.8}, {-1.0, 0.8}, {-1.0, -0.8}}}, scratch_);
+    const mapd::Point position = q.point();
+    const double heading = q.f();
+    const auto own = map_.stance_at({position, heading}, {{{2.0, 0.8}, {2.0, -0.8}, {-1.0, 0.8}, {-1.0, -0.8}}}, scratch_, q.some());
     a.u(own.has_value());
     if (!own) return;
     a.all(own->z, own->roll, own->pitch);

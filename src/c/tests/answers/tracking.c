@@ -34,10 +34,11 @@ void tracker(const uint64_t *q, size_t count, struct numbers *out) {
 }
 
 void stance(const uint64_t *q, struct numbers *out) {
-  const mapd_vehicle_pose pose = {{as_f(q[0]), as_f(q[1]), as_f(q[2]), 1}, as_f(q[3])};
+  const mapd_vehicle_pose pose = {point_of(q), as_f(q[4])};
+  const mapd_lane_id expected = lane_of(q[5]);
   const mapd_vec2 wheels[] = {{2.0, 0.8}, {2.0, -0.8}, {-1.0, 0.8}, {-1.0, -0.8}};
   mapd_stance own;
-  const int found = is(mapd_stance_at(map, pose, wheels, NULL, 0, scratch, &own, &error));
+  const int found = is(mapd_stance_at(map, pose, wheels, &expected, expected.row != MAPD_NO_ROW, scratch, &own, &error));
   add_u(out, (uint64_t)found);
   if (!found) return;
   add_f(out, own.z);

@@ -1,14 +1,14 @@
 //! What a localiser asks: ground, marks, and which lanes a pose and a trace may be on.
 
-use crate::numbers::Numbers;
+use crate::numbers::{Numbers, lane_id_bits};
 use crate::{Asker, Result};
-use mapd_client::glam::DMat3;
+use mapd_client::glam::{DMat3, DVec2};
 use mapd_client::localisation::TracePosition;
 use mapd_client::localisation::{
     GroundScratch, LaneMatch, MarkFilter, MatchOptions, Side, TraceFix, TraceMatch, TraceOptions,
     TraceScratch, VehiclePose,
 };
-use mapd_client::{Nearest, Point};
+use mapd_client::{LaneId, Nearest, NearestOptions, Point};
 
 /// Fixes of a trace.
 const FIXES: u32 = 5;
@@ -23,6 +23,15 @@ pub(crate) struct Localising {
 }
 
 impl Asker<'_> {
+    /// One of the lanes that hold a place, or none: what an answer there may be told to expect.
+    pub(crate) fn expected_at(&mut self, at: DVec2) -> Result<Option<LaneId>> {
+        let options = NearestOptions { radius: 0.0, ..NearestOptions::default() };
+        let mut lanes = Vec::new();
+        self.map.lanes_near(at, &options, &mut lanes)?;
+        let chosen = (self.random.next() % (2 * lanes.len() as u64 + 1)) as usize;
+        Ok(lanes.get(chosen).map(|one| one.lane))
+    }
+
     pub(crate) fn poses(&mut self, scratch: &mut Localising) -> Result<()> {
         let (map, (lane, s)) = (self.map, self.place());
         let offset = self.random.between(-3.0, 3.0);
@@ -31,8 +40,11 @@ impl Asker<'_> {
         let (z, has_z) = (on.position.z + self.random.between(-3.0, 3.0), self.random.next() % 2);
         let point = Point { xy: at, z: (has_z == 1).then_some(z) };
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
-        q.f(at.x).f(at.y).f(z).u(has_z);
-        match map.ground_at(point, &[], &mut scratch.ground)? {
+        let expected = self.expected_at(at)?;
+        q.f(at.x).f(at.y).f(z).u(has_z).u(lane_id_bits(expected));
+        let found = map.ground_at(point, expected.as_slice(), &mut scratch.ground)?;
+        self.told_by_expected[0] |= found != map.ground_at(point, &[], &mut scratch.ground)?;
+        match found {
             Some(one) => a
                 .u(1u64)
                 .f(one.z)

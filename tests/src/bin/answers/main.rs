@@ -35,7 +35,7 @@ use std::path::Path;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-/// Maps that the project carries, and the town with signals, which none of them has.
+/// Maps that the project carries, and the town with signals and streets above streets, which none of them has.
 const MAPS: &[&str] = &["town", "objects", "marks", "surfaces", "one_road", SIGNALS];
 const SIGNALS: &str = "signals";
 /// Questions of every kind are COUNT times as many.
@@ -134,6 +134,8 @@ struct Asker<'a> {
     random: Random,
     out: String,
     counts: Counts,
+    /// Whether expected lanes have changed an answer: of the ground, of a stance.
+    told_by_expected: [bool; 2],
     /// What is written, where not everything is.
     only: Option<BTreeSet<&'static str>>,
 }
@@ -228,6 +230,32 @@ fn with_signals(text: &str) -> String {
     out
 }
 
+/// Streets that are above others, and how far `[m]`.
+const ABOVE: usize = 6;
+const HEIGHT: f64 = 6.0;
+
+/// A map's text in which its first roads lie twice, above each other; those above lead nowhere.
+fn with_streets_above(text: &str) -> String {
+    let mut above = String::new();
+    for (i, part) in text.split("<road ").skip(1).take(ABOVE).enumerate() {
+        let road = part.split_inclusive("</road>").next().unwrap_or_default();
+        let (id, link) = (format!(r#"id="{}" junction"#, i + 1), road.find("<link>"));
+        let rest =
+            link.and_then(|link| road[link..].split_once("</link>").map(|(_, rest)| (link, rest)));
+        let Some((link, rest)) = rest else { continue };
+        let (_, lanes) = rest.split_once("</planView>").unwrap_or_default();
+        let plan = &rest[..rest.len() - lanes.len()];
+        let lanes = lanes.split("<signals>").next().unwrap_or_default();
+        let head = road[..link].replace(&id, &format!(r#"id="above-{i}" junction"#));
+        let _ = write!(
+            above,
+            r#"<road {head}{plan}<elevationProfile><elevation s="0" a="{HEIGHT}" b="0.01" c="0" d="0"/></elevationProfile>{lanes}{end}"#,
+            end = if lanes.contains("</road>") { "" } else { "</road>" },
+        );
+    }
+    text.replacen("<road ", &format!("{above}<road "), 1)
+}
+
 fn main() -> Result<()> {
     let mut args = std::env::args().skip(1);
     let folder = args.next().ok_or("usage: answers FOLDER [COUNT]")?;
@@ -238,7 +266,7 @@ fn main() -> Result<()> {
         let of = if *name == SIGNALS { "town" } else { name };
         let mut text = std::fs::read_to_string(mapd_tests::carried(&format!("{of}.xodr")))?;
         if *name == SIGNALS {
-            text = with_signals(&text);
+            text = with_streets_above(&with_signals(&text));
         }
         let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {})?;
         let rows = compiled.rows.as_ref().ok_or("the map was rejected")?;
@@ -259,8 +287,9 @@ fn main() -> Result<()> {
         let map = snapshot.map();
         let (lanes, roads) = (map.lanes().collect(), map.roads().collect());
         let (random, out) = (Random(random.0), String::new());
+        let (counts, told_by_expected) = (Counts::new(), [false; 2]);
         let mut asker =
-            Asker { map, under, lanes, roads, random, out, counts: Counts::new(), only: None };
+            Asker { map, under, lanes, roads, random, out, counts, told_by_expected, only: None };
         for _ in 0..count {
             for (_, ask) in GROUPS {
                 ask(&mut asker, &mut memory)?;
@@ -271,6 +300,11 @@ fn main() -> Result<()> {
     }
     let enough = count * TIMES;
     let counts = ask_on(&mut askers, enough, &mut memory)?;
+    for (i, what) in ["ground", "stance"].iter().enumerate() {
+        if !askers.iter().any(|asker| asker.told_by_expected[i]) {
+            return Err(format!("no answer of {what} depends on the expected lane").into());
+        }
+    }
     for ((path, ..), asker) in maps.iter().zip(&askers) {
         std::fs::write(path.with_extension("answers"), &asker.out)?;
     }

@@ -74,7 +74,11 @@ pub(crate) fn object_bits(id: Option<ObjectId>) -> u64 {
 }
 
 pub(crate) fn lane_bits(lane: Option<Lane<'_>>) -> u64 {
-    lane.map_or(NOTHING, |lane| short(lane.lane_id().to_bits()))
+    lane_id_bits(lane.map(|lane| lane.lane_id()))
+}
+
+pub(crate) fn lane_id_bits(lane: Option<LaneId>) -> u64 {
+    lane.map_or(NOTHING, |lane| short(lane.to_bits()))
 }
 
 /// FNV-1a of a text.

@@ -1,6 +1,6 @@
 //! Questions of who drives: the lane from fix to fix, how the vehicle stands, what its sensors see.
 
-use crate::numbers::{NOTHING, Numbers, object_bits, short, signal_bits};
+use crate::numbers::{NOTHING, Numbers, lane_id_bits, object_bits, short, signal_bits};
 use crate::{Asker, Result};
 use mapd_client::glam::{DMat3, DVec2};
 use mapd_client::localisation::{
@@ -53,10 +53,13 @@ impl Asker<'_> {
         let on = lane.pose_at(s, self.random.between(-2.0, 2.0))?;
         let (at, heading) = (on.position.truncate(), on.heading);
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
-        q.f(at.x).f(at.y).f(on.position.z).f(heading);
-        let position = Point { xy: at, z: Some(on.position.z) };
-        let pose = VehiclePose { position, heading };
-        match map.stance(&pose, &WHEELS, &[], &mut GroundScratch::default())? {
+        let (z, has_z, expected) = (on.position.z, self.random.next() % 2, self.expected_at(at)?);
+        q.f(at.x).f(at.y).f(z).u(has_z).f(heading).u(lane_id_bits(expected));
+        let position = Point { xy: at, z: (has_z == 1).then_some(z) };
+        let (pose, mut ground) = (VehiclePose { position, heading }, GroundScratch::default());
+        let found = map.stance(&pose, &WHEELS, expected.as_slice(), &mut ground)?;
+        self.told_by_expected[1] |= found != map.stance(&pose, &WHEELS, &[], &mut ground)?;
+        match found {
             Some(own) => {
                 a.u(1u64).f(own.z).f(own.roll).f(own.pitch);
                 own.wheels.iter().for_each(|wheel| {
