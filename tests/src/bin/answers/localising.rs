@@ -43,7 +43,7 @@ impl Asker<'_> {
         let expected = self.expected_at(at)?;
         q.f(at.x).f(at.y).f(z).u(has_z).u(lane_id_bits(expected));
         let found = map.ground_at(point, expected.as_slice(), &mut scratch.ground)?;
-        self.told_by_expected[0] |= found != map.ground_at(point, &[], &mut scratch.ground)?;
+        let is_told = found != map.ground_at(point, &[], &mut scratch.ground)?;
         match found {
             Some(one) => a
                 .u(1u64)
@@ -56,7 +56,7 @@ impl Asker<'_> {
                 .u(one.levels),
             None => a.u(0u64),
         };
-        self.write("ground", &q, &a);
+        self.told_by_expected[0] |= self.write("ground", &q, &a) && is_told;
 
         let (mut q, mut a) = (Numbers::default(), Numbers::default());
         q.f(at.x).f(at.y);

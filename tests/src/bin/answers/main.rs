@@ -152,9 +152,10 @@ impl<'a> Asker<'a> {
         place(&self.lanes, &mut self.random)
     }
 
-    fn write(&mut self, kind: &'static str, question: &Numbers, answer: &Numbers) {
+    /// Writes a question and its answer, if its kind is wanted: whether it is.
+    fn write(&mut self, kind: &'static str, question: &Numbers, answer: &Numbers) -> bool {
         if self.only.as_ref().is_some_and(|only| !only.contains(kind)) {
-            return;
+            return false;
         }
         *self.counts.entry(kind).or_default() += 1;
         self.out.push_str(kind);
@@ -166,6 +167,7 @@ impl<'a> Asker<'a> {
             let _ = write!(self.out, " {number:x}");
         }
         self.out.push('\n');
+        true
     }
 }
 
@@ -211,6 +213,27 @@ fn ask_on(askers: &mut [Asker<'_>], enough: u32, memory: &mut Memory) -> Result<
     Err(format!("fewer than {enough} questions of a kind: {:?}", sum(askers)).into())
 }
 
+/// Asks on until expected lanes have changed an answer of each kind that takes them.
+fn ask_what_is_expected(askers: &mut [Asker<'_>], memory: &mut Memory) -> Result<()> {
+    for (i, kind) in ["ground", "stance"].into_iter().enumerate() {
+        let is_told = |askers: &[Asker<'_>]| askers.iter().any(|asker| asker.told_by_expected[i]);
+        for _ in 0..TRIES {
+            if is_told(askers) {
+                break;
+            }
+            for asker in &mut *askers {
+                asker.only = Some([kind].into());
+                asker.poses(&mut memory.localising)?;
+                asker.drive()?;
+            }
+        }
+        if !is_told(askers) {
+            return Err(format!("no answer of {kind} depends on the expected lane").into());
+        }
+    }
+    Ok(())
+}
+
 /// A map's text with signals on every road: a limit, a stop sign that names another signal, and a light.
 fn with_signals(text: &str) -> String {
     let mut out = String::new();
@@ -231,7 +254,7 @@ fn with_signals(text: &str) -> String {
 }
 
 /// Streets that are above others, and how far `[m]`.
-const ABOVE: usize = 6;
+const ABOVE: usize = 12;
 const HEIGHT: f64 = 6.0;
 
 /// A map's text in which its first roads lie twice, above each other; those above lead nowhere.
@@ -298,13 +321,9 @@ fn main() -> Result<()> {
         asker.whole();
         askers.push(asker);
     }
+    ask_what_is_expected(&mut askers, &mut memory)?;
     let enough = count * TIMES;
     let counts = ask_on(&mut askers, enough, &mut memory)?;
-    for (i, what) in ["ground", "stance"].iter().enumerate() {
-        if !askers.iter().any(|asker| asker.told_by_expected[i]) {
-            return Err(format!("no answer of {what} depends on the expected lane").into());
-        }
-    }
     for ((path, ..), asker) in maps.iter().zip(&askers) {
         std::fs::write(path.with_extension("answers"), &asker.out)?;
     }

@@ -58,7 +58,7 @@ impl Asker<'_> {
         let position = Point { xy: at, z: (has_z == 1).then_some(z) };
         let (pose, mut ground) = (VehiclePose { position, heading }, GroundScratch::default());
         let found = map.stance(&pose, &WHEELS, expected.as_slice(), &mut ground)?;
-        self.told_by_expected[1] |= found != map.stance(&pose, &WHEELS, &[], &mut ground)?;
+        let is_told = found != map.stance(&pose, &WHEELS, &[], &mut ground)?;
         match found {
             Some(own) => {
                 a.u(1u64).f(own.z).f(own.roll).f(own.pitch);
@@ -70,7 +70,7 @@ impl Asker<'_> {
                 a.u(0u64);
             }
         }
-        self.write("stance", &q, &a);
+        self.told_by_expected[1] |= self.write("stance", &q, &a) && is_told;
 
         let (range, field_of_view) =
             (self.random.between(5.0, 80.0), self.random.between(0.5, 7.0));
