@@ -138,8 +138,7 @@ impl Client {
                 break pair;
             }
             if !looks_again(observer, until, &mut late) {
-                let (map, newer_than, daemon_alive) = (map.to_owned(), 0, false);
-                return Err(AttachError::NoGeneration { map, newer_than, daemon_alive }.into());
+                return Err(none_came(domain, map, 0).into());
             }
         };
         let (current, populate) = (Mutex::new(current), AtomicBool::new(false));
@@ -261,8 +260,7 @@ impl Client {
                 return Ok(kept);
             }
             if !looks_again(self.observer(), until, &mut late) {
-                let (map, newer_than, daemon_alive) = (self.name.clone(), than, false);
-                return Err(AttachError::NoGeneration { map, newer_than, daemon_alive }.into());
+                return Err(none_came(&self.domain, &self.name, than).into());
             }
         }
     }
@@ -355,6 +353,12 @@ fn looks_again(observer: &Observer, until: Instant, late: &mut u32) -> bool {
     }
     *late += 1;
     *late <= LATE
+}
+
+/// No generation could be had together with its overlay, whether a daemon runs or not.
+fn none_came(domain: &Domain, map: &str, newer_than: u64) -> AttachError {
+    let daemon_alive = mapd_transport::served_by(domain, map).is_some();
+    AttachError::NoGeneration { map: map.to_owned(), newer_than, daemon_alive }
 }
 
 /// A generation with the overlay that the record names for it; `None` if the record names another generation.

@@ -4,7 +4,7 @@ use ct_codecs::{Base64, Decoder};
 use flate2::read::GzDecoder;
 use mapd_client::view::OverlayKind;
 use mapd_client::vocabulary::VehicleClass;
-use mapd_client::{Attach, Client, Snapshot};
+use mapd_client::{Attach, AttachError, Client, ClientError, Snapshot};
 use mapd_tests::json_schema::{schema, wrong};
 use mapd_tests::test_domain::{PATIENCE, TestDomain};
 use mapd_tests::town::town;
@@ -82,6 +82,24 @@ pub(super) fn closes(snapshot: &Snapshot) -> Option<String> {
         assert_eq!(one.entry.kind(), OverlayKind::Closed);
         one.entry.id().to_owned()
     })
+}
+
+/// A generation whose overlay is gone is not had; the error says whether a daemon runs. It said always that it had ended.
+#[test]
+fn an_overlay_is_gone() {
+    let scene = Scene::new();
+    let daemon = scene.place.serve(&scene.args());
+    scene.ends(&["apply", "-"], &closed("works", -1), 0);
+    let domain = scene.place.domain();
+    let revision = scene.client(Attach::Observer).snapshot().overlay_revision();
+    fs::remove_file(mapd_transport::overlay_file(&domain, "town", revision)).expect("removed");
+    let alive = || match Client::connect_in(&domain, "town", Duration::ZERO) {
+        Err(ClientError::Attach(AttachError::NoGeneration { daemon_alive, .. })) => daemon_alive,
+        other => panic!("{:?}", other.map(|client| client.snapshot().generation())),
+    };
+    assert!(alive());
+    daemon.kill();
+    assert!(!alive());
 }
 
 /// Applied, seen by readers of both kinds, listed, replaced, removed, cleared.
