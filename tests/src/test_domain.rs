@@ -1,7 +1,7 @@
 //! Daemons and clients as processes, each test in a domain of its own.
 
 use mapd::control::{MapState, ReloadReport, Request, Response, ask};
-use mapd::serve::{PublishMeta, Server};
+use mapd::serve::{PublishMeta, Server, StopSignal};
 use mapd_client::Domain;
 use mapd_transport::AttachLock;
 use std::io::{BufRead, BufReader, Write};
@@ -40,6 +40,15 @@ pub fn publish(server: &mut Server, map: &str, archive: &[u8]) -> u64 {
         Ok(PublishMeta { layout_id: [0; 32], content_hash, input_hash: [0; 32] })
     };
     server.publish(map, archive.len(), fill).expect("publishes")
+}
+
+/// Requests a stop when dropped, so that a server in another thread ends also where a test fails.
+pub struct StopAtEnd<'a>(pub &'a StopSignal);
+
+impl Drop for StopAtEnd<'_> {
+    fn drop(&mut self) {
+        self.0.request();
+    }
 }
 
 /// A domain of its own for each test; everything of it is removed at the end.

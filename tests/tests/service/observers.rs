@@ -1,8 +1,8 @@
 //! Readers that write nothing: what attaching takes, swaps under many of them, and daemons that end.
 
 use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
-use mapd_client::{Attach, Client};
-use mapd_tests::test_domain::{PATIENCE, TestDomain, publish, until};
+use mapd_client::{Attach, AttachError, Client, ClientError};
+use mapd_tests::test_domain::{PATIENCE, StopAtEnd, TestDomain, publish, until};
 use mapd_tests::tracer::{Side, Then, Traced};
 use mapd_tests::two_maps::archives;
 use mapd_tests::{number, say};
@@ -124,7 +124,7 @@ fn swaps_under_many_observers() {
     assert!(seen > observers as u64, "nobody saw a swap");
 }
 
-/// Hundreds of processes that hold one map at the same moment, all of it mapped: each has its answers, and there is one copy.
+/// Many processes that hold one map at the same moment, all of it mapped: each has its answers, and there is one copy.
 #[test]
 fn one_map_held_by_many_observers() {
     let observers = number("MAPD_HOLDERS", HOLDERS);
@@ -145,28 +145,37 @@ fn one_map_held_by_many_observers() {
         })
         .collect();
     drop((stdin, stdout));
-    let mut lines = BufReader::new(said).lines();
+    // Read in a thread: if one of them fails, the pipe stays open, for the others have it.
+    let (told, lines) = std::sync::mpsc::channel();
+    std::thread::spawn(move || BufReader::new(said).lines().try_for_each(|line| told.send(line)));
     let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
-    let held = format!("held {}", client.snapshot().bytes().len());
+    let size = client.snapshot().bytes().len();
     for _ in 0..observers {
-        assert_eq!(lines.next().expect("a line").expect("text"), held);
+        let line = lines.recv_timeout(PATIENCE).expect("a line").expect("text");
+        assert_eq!(line, format!("held {size}"));
     }
     let taken = start.elapsed();
     assert_eq!(place.segments(), files, "observers make nothing");
-    // What they share is counted in shares.
-    let memory = |child: &std::process::Child| -> u64 {
-        let path = format!("/proc/{}/smaps_rollup", child.id());
-        let text = std::fs::read_to_string(path).expect("a process");
-        let line = text.lines().find_map(|line| line.strip_prefix("Pss:")).expect("a line");
-        line.trim().trim_end_matches(" kB").parse().expect("a number")
+    let sum = |file, key| -> u64 {
+        let memory = |child: &std::process::Child| -> u64 {
+            let path = format!("/proc/{}/{file}", child.id());
+            let text = std::fs::read_to_string(path).expect("a process");
+            let line = text.lines().find_map(|line| line.strip_prefix(key)).expect("a line");
+            line.trim().trim_end_matches(" kB").parse().expect("a number")
+        };
+        children.iter().map(memory).sum()
     };
-    let all: u64 = children.iter().map(memory).sum();
+    // In shares of what is shared, each rounded down.
+    let (all, shares) = (sum("smaps_rollup", "Pss:"), sum("smaps_rollup", "Pss_Shmem:"));
+    let (mapped, size) = (sum("status", "RssShmem:"), size as u64 / 1024);
+    assert!(mapped >= size * observers as u64, "{mapped} KiB are not all of it for each");
+    assert!(shares < size * 2, "{shares} KiB for one map of {size} KiB");
     drop(end);
     for child in &mut children {
         assert!(child.wait().expect("ends").success());
     }
     say(&format!(
-        "{observers} observers hold one map, the last {taken:.2?} after the first was started; together they take {all} KiB"
+        "{observers} observers hold one map, the last {taken:.2?} after the first was started; together they take {all} KiB, {shares} KiB of them for the map of {size} KiB"
     ));
 }
 
@@ -193,6 +202,32 @@ fn after_the_daemons_death() {
     assert!(next.generation() > before.snapshot().generation());
     next.verify().expect("whole");
     beats_after(&before, start);
+}
+
+/// Where another daemon serves in the same domain, it removes what a killed one left: then nothing is served until the successor comes, and clients say so.
+#[test]
+fn after_the_daemons_death_beside_another() {
+    let place = TestDomain::new(MAPD);
+    let daemon = place.serve(&[&town()]);
+    let _other = place.serve(&[&mapd_tests::carried("one_road.xodr").display().to_string()]);
+    let client = Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    let held = client.snapshot();
+    let connect_now = || Client::connect_in(&place.domain(), "town", Duration::ZERO);
+    let start = Instant::now();
+    daemon.kill();
+    let error = until("the removal", || connect_now().err());
+    say(&format!("a killed daemon's segment is removed by another after {:.2?}", start.elapsed()));
+    let available = vec!["one_road".to_owned()];
+    let expected = AttachError::NoSuchMap { map: "town".to_owned(), available };
+    assert_eq!(error.to_string(), ClientError::from(expected).to_string());
+    held.verify().expect("what is held stays");
+    assert_eq!(client.refresh().expect("no error").generation(), held.generation());
+    let waiting = std::thread::spawn(move || client.wait_next(PATIENCE));
+    let _successor = place.serve(&[&town()]);
+    let next = waiting.join().expect("no panic").expect("the successor's generation");
+    assert!(next.generation() > held.generation());
+    next.verify().expect("whole");
+    assert_eq!(connect_now().expect("attaches").snapshot().generation(), next.generation());
 }
 
 /// A clean end removes the record; a client that waits on it is told, and finds the next daemon's.
@@ -272,6 +307,7 @@ fn every_generation_is_waited_for() {
     let (stop, door) = (StopSignal::new().expect("a signal"), Doorbell::new().expect("a bell"));
     let ringer = door.ringer().expect("a ringer");
     std::thread::scope(|scope| {
+        let _stop = StopAtEnd(&stop);
         let (domain, stopped, bytes) = (place.domain(), &stop, &bytes);
         scope.spawn(move || {
             let mut server = Server::start(&domain).expect("starts");
@@ -290,7 +326,6 @@ fn every_generation_is_waited_for() {
             assert_eq!(next.generation(), before + 1);
         }
         let taken = begun.elapsed();
-        stop.request();
         say(&format!("{ROUNDS} generations waited for in {taken:?}"));
     });
 }

@@ -3,7 +3,8 @@
 //! wake-ups that are lost, pages that are removed.
 //!
 //! A reader changes nothing that anybody sees. So one reader stands for any number of them, and a state is that of the daemons, of the files, and of it.
-//! From each state every next step is taken: the daemon's, its kill, the reader's, and its look after 100 ms. The daemon's steps are lists ([`Order`]), and
+//! From each state every next step is taken: the daemon's, its kill, the reader's, its look after 100 ms, and the cleaning up of another daemon of the domain, if there is one.
+//! The daemon's steps are lists ([`Order`]), and
 //! each list in a wrong order must be found ([`wrong_orders_are_found`]). `tests/tests/service/stopped.rs` watches the real daemon's.
 
 use std::collections::{BTreeSet, HashSet};
@@ -124,6 +125,8 @@ struct World {
     filled: File,
     /// The last one that was made; the next is greater.
     made: File,
+    /// Those that are of generations.
+    segments: File,
     /// The daemon that lives, or the one that is next if `killed`.
     life: usize,
     /// Work and step that it does next.
@@ -134,7 +137,7 @@ struct World {
     own: usize,
     /// Lives that were killed, a bit each.
     killed: u8,
-    /// Something was published, and neither its daemon nor a successor took it back.
+    /// Something was published, and neither its daemon nor a successor took it back, nor another daemon of the domain.
     served: bool,
     reader: Reader,
 }
@@ -173,6 +176,8 @@ enum Patience {
 struct Search<'a> {
     order: Order,
     lives: &'a [&'a [Work]],
+    /// Another daemon of the domain serves other maps.
+    is_beside_another: bool,
     seen: HashSet<World>,
     found: BTreeSet<Wrong>,
     /// Found all of these, the search ends.
@@ -206,6 +211,7 @@ impl Search<'_> {
             files: 0,
             filled: 0,
             made: 1,
+            segments: 0,
             life: 0,
             work: 0,
             step: 0,
@@ -244,6 +250,13 @@ impl Search<'_> {
                 self.succeed(&mut next);
                 open.push(next);
             }
+            if self.is_beside_another && Self::is_dead(&world) {
+                let mut next = world.clone();
+                next.files &= !next.segments;
+                next.filled &= next.files;
+                next.served = false;
+                open.push(next);
+            }
             let asleep = matches!(world.reader.doing, Reading::Asleep(_));
             let all = [Patience::None, Patience::Look, Patience::Silence];
             for patience in if asleep { &all[1..] } else { &all[..1] } {
@@ -252,6 +265,14 @@ impl Search<'_> {
                 open.push(next);
             }
         }
+    }
+
+    /// Whether the last daemon was killed, and its successor, if there is one, has done nothing yet. Only then is there anything that another daemon removes: segments,
+    /// whose processes are dead.
+    fn is_dead(world: &World) -> bool {
+        let (killed, begun) =
+            (world.killed >> world.life.saturating_sub(1) & 1, world.work + world.step);
+        world.life > 0 && killed == 1 && begun == 0
     }
 
     fn succeed(&self, world: &mut World) {
@@ -283,7 +304,11 @@ impl Search<'_> {
                 world.own = world.pages.len() - 1;
                 world.named = Some(world.own);
             }
-            Create => world.next = Some((make(world), make(world))),
+            Create => {
+                let segment = make(world);
+                world.segments |= segment;
+                world.next = Some((segment, make(world)));
+            }
             CreateOverlay => {
                 let segment = world.pages[world.own].says().map_or(0, |(segment, _)| segment);
                 world.next = Some((segment, make(world)));
@@ -437,8 +462,14 @@ impl Search<'_> {
 }
 
 /// What goes wrong, and in how many states it was looked for; with `until`, only until all of that is found.
-fn found(order: Order, lives: &[&[Work]], until: Option<&[Wrong]>) -> (BTreeSet<Wrong>, usize) {
-    let mut search = Search { order, lives, seen: HashSet::new(), found: BTreeSet::new(), until };
+fn found(
+    order: Order,
+    lives: &[&[Work]],
+    is_beside_another: bool,
+    until: Option<&[Wrong]>,
+) -> (BTreeSet<Wrong>, usize) {
+    let (seen, found) = (HashSet::new(), BTreeSet::new());
+    let mut search = Search { order, lives, is_beside_another, seen, found, until };
     search.run();
     (search.found, search.seen.len())
 }
@@ -472,11 +503,19 @@ fn whatever_is_killed_readers_go_on() {
     check(&between, &[Wrong::Late]);
 }
 
-/// Searches all of it; exactly this goes wrong.
+/// Searches all of it, without and with another daemon in the domain; exactly this goes wrong.
 fn check(lives: &[&[Work]], expected: &[Wrong]) {
-    let (found, states) = found(RIGHT, lives, None);
-    assert_eq!(found.into_iter().collect::<Vec<_>>(), expected, "{lives:?}");
-    assert!(states > 10_000, "{states} states are not all of them");
+    let [alone, beside] = [false, true].map(|is_beside_another| {
+        let (found, states) = found(RIGHT, lives, is_beside_another, None);
+        assert_eq!(
+            found.into_iter().collect::<Vec<_>>(),
+            expected,
+            "{lives:?}, beside another: {is_beside_another}"
+        );
+        states
+    });
+    assert!(alone > 10_000, "{alone} states are not all of them");
+    assert!(beside > alone, "another daemon changes nothing");
 }
 
 /// What is wrong, the order, whose lives, and at least what is found.
@@ -557,7 +596,7 @@ fn wrong_orders_are_found() {
         ),
     ];
     for (name, order, lives, expected) in cases {
-        let (found, _) = found(order, &lives, Some(expected));
+        let (found, _) = found(order, &lives, false, Some(expected));
         assert!(expected.iter().all(|wrong| found.contains(wrong)), "{name}: {found:?}");
     }
 }

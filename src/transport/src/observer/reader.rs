@@ -146,7 +146,8 @@ impl Observer {
                 *current = Some(pinned.clone());
                 return Ok(RecordState::Newer(pinned));
             }
-            // A daemon removes a file once the record names another. Where it still names this one, the daemon was killed and its successor has removed it.
+            // A daemon removes a file once the record names another. Where it still names this one, the daemon was killed, and its successor or
+            // another daemon of the domain has removed it.
             if std::mem::replace(&mut gone, sequence) == sequence {
                 break;
             }
