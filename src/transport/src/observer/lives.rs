@@ -4,8 +4,7 @@
 //!
 //! A reader changes nothing that anybody sees. So one reader stands for any number of them, and a state is that of the daemons, of the files, and of it.
 //! From each state every next step is taken: the daemon's, its kill, the reader's, its look after 100 ms, and the cleaning up of another daemon of the domain, if there is one.
-//! The daemon's steps are lists ([`Order`]), and
-//! each list in a wrong order must be found ([`wrong_orders_are_found`]). `tests/tests/service/stopped.rs` watches the real daemon's.
+//! The daemon's steps are lists ([`Order`]), and each list in a wrong order must be found ([`wrong_orders_are_found`]). `tests/tests/service/stopped.rs` watches the real daemon's.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -20,8 +19,12 @@ enum Step {
     NewPage,
     /// Makes a segment, and its overlay, without their bytes.
     Create,
+    /// Makes a segment without its bytes, over which nothing lies.
+    CreateBare,
     /// Makes another overlay of the same generation, likewise.
     CreateOverlay,
+    /// Takes the overlay away: nothing lies over the same generation.
+    CreateNothing,
     /// Writes the bytes.
     Fill,
     /// Writes the slot that does not hold.
@@ -47,29 +50,38 @@ use Step::*;
 struct Order {
     start: &'static [Step],
     publish: &'static [Step],
+    publish_bare: &'static [Step],
     lay: &'static [Step],
+    lay_nothing: &'static [Step],
     close: &'static [Step],
     /// A reader sleeps only if the sequence is still the one that it has read.
     compares: bool,
+    /// A reader that may have been left looks which page has the name.
+    moves: bool,
 }
 
 const RIGHT: Order = Order {
     start: &[Sweep, Page],
     publish: &[Create, Fill, Write, Store, Wake, Drop],
+    publish_bare: &[CreateBare, Fill, Write, Store, Wake, Drop],
     lay: &[CreateOverlay, Fill, Write, Store, Wake, Drop],
+    lay_nothing: &[CreateNothing, Write, Store, Wake, Drop],
     close: &[WriteNothing, Store, Wake, Unlink, DropAll],
     compares: true,
+    moves: true,
 };
 
 /// What a daemon does in its life, one after the other.
 #[derive(Clone, Copy, Debug)]
 enum Work {
     Publish,
+    PublishBare,
     Lay,
+    LayNothing,
     Close,
 }
 
-/// A file: of a generation, or of an overlay. One bit.
+/// A file: of a generation, or of an overlay. One bit. That nothing lies over a generation has a bit, too, which is of no file.
 type File = u32;
 
 /// What a slot says: a generation's segment and its overlay.
@@ -96,8 +108,11 @@ impl PageState {
 enum Reading {
     /// Looks whether its page may have been left, and reads it.
     Look,
-    /// Opens the segment, then the overlay, that it read of.
+    /// Opens the segment that it read of.
     Segment(u8, (File, File)),
+    /// Has this segment, and reads the page again: what lies over it?
+    Again(File),
+    /// Opens the overlay that it then read of.
     Overlay(u8, (File, File)),
     /// The file was gone: reads the sequence again.
     Gone(u8),
@@ -127,6 +142,8 @@ struct World {
     made: File,
     /// Those that are of generations.
     segments: File,
+    /// Those that are none: nothing lies over a generation.
+    nothing: File,
     /// The daemon that lives, or the one that is next if `killed`.
     life: usize,
     /// Work and step that it does next.
@@ -190,7 +207,9 @@ impl Search<'_> {
             None => Some(self.order.start),
             Some(i) => Some(match self.lives.get(world.life)?.get(i)? {
                 Work::Publish => self.order.publish,
+                Work::PublishBare => self.order.publish_bare,
                 Work::Lay => self.order.lay,
+                Work::LayNothing => self.order.lay_nothing,
                 Work::Close => self.order.close,
             }),
         }
@@ -212,6 +231,7 @@ impl Search<'_> {
             filled: 0,
             made: 1,
             segments: 0,
+            nothing: 0,
             life: 0,
             work: 0,
             step: 0,
@@ -290,6 +310,11 @@ impl Search<'_> {
             world.files |= world.made;
             world.made
         };
+        let make_nothing = |world: &mut World| {
+            world.made <<= 1;
+            world.nothing |= world.made;
+            world.made
+        };
         match step {
             Sweep => {
                 (world.files, world.filled) = (0, 0);
@@ -309,9 +334,15 @@ impl Search<'_> {
                 world.segments |= segment;
                 world.next = Some((segment, make(world)));
             }
-            CreateOverlay => {
+            CreateBare => {
+                let segment = make(world);
+                world.segments |= segment;
+                world.next = Some((segment, make_nothing(world)));
+            }
+            CreateOverlay | CreateNothing => {
                 let segment = world.pages[world.own].says().map_or(0, |(segment, _)| segment);
-                world.next = Some((segment, make(world)));
+                let over = if step == CreateOverlay { make(world) } else { make_nothing(world) };
+                world.next = Some((segment, over));
             }
             Fill => {
                 let (segment, overlay) = world.next.expect("made");
@@ -363,17 +394,33 @@ impl Search<'_> {
             Reading::Segment(sequence, files) => {
                 let there = self.open(world, files.0);
                 world.reader.doing =
-                    if there { Reading::Overlay(sequence, files) } else { Reading::Gone(sequence) };
+                    if there { Reading::Again(files.0) } else { Reading::Gone(sequence) };
+            }
+            Reading::Again(segment) => {
+                self.find_page(world, Patience::None);
+                let page = world.reader.page.map(|page| &world.pages[page]);
+                let said = page.and_then(|page| Some((page.sequence, page.says()?)));
+                world.reader.doing = match said {
+                    Some((sequence, files)) if files.0 == segment => {
+                        Reading::Overlay(sequence, files)
+                    }
+                    // Another generation: it tries that one.
+                    Some(_) => Reading::Look,
+                    // Nothing is served any more: it has the segment, with what it knew to lie over it.
+                    None => {
+                        let known = world.reader.has.filter(|has| has.0 == segment);
+                        self.have(world, known.unwrap_or((segment, 0)));
+                        Reading::Look
+                    }
+                };
             }
             Reading::Overlay(sequence, files) => {
                 if !self.open(world, files.1) {
                     world.reader.doing = Reading::Gone(sequence);
                     return;
                 }
-                if world.reader.has.is_some_and(|has| has > files) {
-                    self.found.insert(Wrong::Back);
-                }
-                (world.reader.has, world.reader.doing) = (Some(files), Reading::Look);
+                self.have(world, files);
+                world.reader.doing = Reading::Look;
             }
             Reading::Gone(sequence) => {
                 let page = &world.pages[world.reader.page.expect("read")];
@@ -396,17 +443,29 @@ impl Search<'_> {
         }
     }
 
-    fn look(&mut self, world: &mut World, patience: Patience) {
+    fn have(&mut self, world: &mut World, files: (File, File)) {
+        if world.reader.has.is_some_and(|has| has > files) {
+            self.found.insert(Wrong::Back);
+        }
+        world.reader.has = Some(files);
+    }
+
+    /// The reader's page: the one that it has, unless that may have been left and another has the name.
+    fn find_page(&self, world: &mut World, patience: Patience) {
         if let Some(page) = world.reader.page {
             let state = &world.pages[page];
             let is_closed = state.says().is_none();
             let is_silent =
                 patience == Patience::Silence && (state.of != world.life || self.is_closed(world));
-            if (is_closed || is_silent) && world.named != Some(page) {
+            if self.order.moves && (is_closed || is_silent) && world.named != Some(page) {
                 world.reader.page = None;
             }
         }
         world.reader.page = world.reader.page.or(world.named);
+    }
+
+    fn look(&mut self, world: &mut World, patience: Patience) {
+        self.find_page(world, patience);
         world.reader.doing = match world.reader.page.map(|page| &world.pages[page]) {
             // It tries again after a pause.
             None => Reading::Look,
@@ -420,6 +479,9 @@ impl Search<'_> {
     }
 
     fn open(&mut self, world: &World, file: File) -> bool {
+        if world.nothing & file != 0 {
+            return true;
+        }
         let there = world.files & file != 0;
         if there && world.filled & file == 0 {
             self.found.insert(Wrong::Unfilled);
@@ -431,7 +493,7 @@ impl Search<'_> {
 impl Search<'_> {
     /// What must hold in this state.
     fn judge(&mut self, world: &World) {
-        let whole = world.files & world.filled;
+        let whole = world.files & world.filled | world.nothing;
         let named = world.named.and_then(|page| world.pages[page].says());
         if world.served && named.is_none_or(|(a, b)| whole & a == 0 || whole & b == 0) {
             self.found.insert(Wrong::NothingServed);
@@ -501,10 +563,19 @@ fn whatever_is_killed_readers_go_on() {
         &[Work::Publish],
     ];
     check(&between, &[Wrong::Late]);
+    let bare: [&[Work]; 3] = [
+        &[Work::PublishBare, Work::Lay, Work::LayNothing, Work::Publish],
+        &[Work::Publish, Work::LayNothing],
+        &[Work::PublishBare, Work::Lay],
+    ];
+    check(&bare, &[]);
 }
 
 /// Searches all of it, without and with another daemon in the domain; exactly this goes wrong.
 fn check(lives: &[&[Work]], expected: &[Wrong]) {
+    // A starting daemon may have its page before it sweeps.
+    let paged = Order { start: &[Page, Sweep], ..RIGHT };
+    assert_eq!(found(paged, lives, false, None).0.into_iter().collect::<Vec<_>>(), expected);
     let [alone, beside] = [false, true].map(|is_beside_another| {
         let (found, states) = found(RIGHT, lives, is_beside_another, None);
         assert_eq!(
@@ -525,7 +596,7 @@ type Case = (&'static str, Order, [&'static [Work]; 3], &'static [Wrong]);
 fn wrong_orders_are_found() {
     let publish = |publish| Order { publish, ..RIGHT };
     let close = |close| Order { close, ..RIGHT };
-    let cases: [Case; 13] = [
+    let cases: [Case; 16] = [
         (
             "the segment goes before the sequence is stored",
             publish(&[Create, Fill, Write, Drop, Store, Wake]),
@@ -593,6 +664,24 @@ fn wrong_orders_are_found() {
             Order { compares: false, ..RIGHT },
             KILLED,
             &[Wrong::Late],
+        ),
+        (
+            "a publication stores thrice, and says the one before in between",
+            publish(&[Create, Fill, Write, Store, Store, Store, Wake]),
+            KILLED,
+            &[Wrong::Back],
+        ),
+        (
+            "a successor makes a page of its own, and readers stay on theirs",
+            Order { start: &[Sweep, NewPage], moves: false, ..RIGHT },
+            KILLED,
+            &[Wrong::Never],
+        ),
+        (
+            "readers stay on a page that is removed",
+            Order { moves: false, ..RIGHT },
+            ENDED,
+            &[Wrong::Never],
         ),
     ];
     for (name, order, lives, expected) in cases {
