@@ -5,11 +5,13 @@ use mapd::serve::{Doorbell, PublishMeta, Server, StopSignal};
 use mapd_benches::{percentiles, print};
 use mapd_client::{Attach, Client, Domain, MapEvent};
 use mapd_compiler::{CompileOptions, compile};
+use mapd_tests::test_domain::StopAtEnd;
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::Barrier;
+use std::sync::mpsc::Sender;
 use std::time::{Duration, Instant};
 
 /// Fresh processes of each kind.
@@ -170,10 +172,12 @@ fn one_of_many() {
     }
 }
 
-/// When a client hears of each generation.
-fn heard(attach: Attach, domain: &Domain) -> BTreeMap<u64, Instant> {
+/// When a client hears of each generation, from when it has told that it is there.
+fn heard(attach: Attach, domain: &Domain, there: Sender<()>) -> BTreeMap<u64, Instant> {
     let client = Client::connect_as(attach, domain, "m", WAIT).expect("attaches");
     let mut events = client.events();
+    there.send(()).expect("awaited");
+    drop(there);
     let mut heard = BTreeMap::new();
     let last = client.snapshot().generation() + EVENTS as u64;
     while client.snapshot().generation() < last {
@@ -196,6 +200,8 @@ fn events() {
     let ringer = door.ringer().expect("a ringer");
     let (published, news) = std::sync::mpsc::channel();
     let later = std::thread::scope(|scope| {
+        // However this ends, the server does.
+        let _stop = StopAtEnd(&stop);
         let (bytes, stopped, of) = (archive.bytes(), &stop, &domain);
         scope.spawn(move || {
             let mut server = Server::start(of).expect("starts");
@@ -208,10 +214,13 @@ fn events() {
             }
         });
         news.recv().expect("published");
-        let [observer, subscriber] = [Attach::Observer, Attach::Subscriber]
-            .map(|attach| scope.spawn(move || heard(attach, of)));
-        // Both are there long before.
-        std::thread::sleep(Duration::from_secs(1));
+        let (there, both) = std::sync::mpsc::channel();
+        let [observer, subscriber] = [Attach::Observer, Attach::Subscriber].map(|attach| {
+            let there = there.clone();
+            scope.spawn(move || heard(attach, of, there))
+        });
+        drop(there);
+        (0..2).for_each(|_| both.recv().expect("attached"));
         for _ in 0..EVENTS {
             ringer.ring();
             news.recv().expect("published");
@@ -219,7 +228,6 @@ fn events() {
         }
         let (observer, subscriber) =
             (observer.join().expect("ends"), subscriber.join().expect("ends"));
-        stop.request();
         let both =
             observer.iter().filter_map(|(number, when)| Some((*when, *subscriber.get(number)?)));
         both.map(|(ours, theirs)| {
@@ -268,6 +276,7 @@ fn main() {
                 ready.send(()).expect("told");
                 server.run(stop_here).expect("serves");
             });
+            let _stop = StopAtEnd(&stop);
             served.recv().expect("served");
             let (mut plain, mut reports) = (Vec::new(), Vec::new());
             let mut shared = [("observer", "shm"), ("subscriber", "subscriber")]
@@ -300,7 +309,6 @@ fn main() {
                 let what = format!("{count} processes at once, until the last answers, observer");
                 told(&what, shared, "open+mmap", file);
             }
-            stop.request();
         });
         let _ = std::fs::remove_dir_all(domain.root());
     }
