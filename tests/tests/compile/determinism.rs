@@ -10,11 +10,11 @@ use std::path::Path;
 const GOLDEN: [(&str, &str, &str); 4] = [
     ("one_road.xodr", "", "a288279aef5e4cd56b2b03c4b7e3bda0ec4de019d6c82defab7fbbffa6b26424"),
     ("town.xodr", "", "1f57fbb7b3c36cead8ffc0432b97f7a21b8174d9ef927f040abae3be1bfe9af1"),
-    ("one_road.xodr", "utm", "75ab88daf48e6ebe3b97cd2482f7102b2185c1eee1f013d3d232954b9546d3d5"),
+    ("one_road.xodr", "utm", "2d835d229bc1891aad4fcf631bba83d9e7ecbb8a5fdf4dc1a5a18f59c4b81bb4"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "2e8eefa9f8d801815a8807aa26183099453f3a8a84f542b7037fdb380e4c88ee",
+        "cf109681280725369f7f97cbdb35758b5f24d280c9444cce392c223e3f0a4e78",
     ),
 ];
 
