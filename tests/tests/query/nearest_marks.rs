@@ -298,10 +298,12 @@ fn of_marks_equally_near_the_same_one_is_found() {
     check_grid(maps::open(&marks).map(), low, high, "as it is");
     // A line far from its border.
     let text = std::fs::read_to_string(&marks).expect("a map");
-    let far = text.replacen("tOffset=\"", "tOffset=\"-5", 1);
-    assert_ne!(far, text, "a line has an offset");
-    let snapshot = maps::open_text(&far);
-    check_grid(snapshot.map(), low - DVec2::Y * 8.0, high, "far from its border");
+    for (offset, name) in [("-5", "far from its border"), ("1e9", "farther than any road is wide")]
+    {
+        let far = text.replacen("tOffset=\"0\"", &format!("tOffset=\"{offset}\""), 1);
+        assert_ne!(far, text, "a line has an offset");
+        check_grid(maps::open_text(&far).map(), low - DVec2::Y * 8.0, high, name);
+    }
 }
 
 /// Points lie on marks, painted places have one at every multiple of the spacing, and each comes once, by whatever rectangle.

@@ -30,11 +30,11 @@ pub struct Stance {
 
 impl Map<'_> {
     /// How a vehicle stands at a pose: the plane through the ground below its wheels, nearest to all four (least squares). `wheels` are the places where they touch the
-    /// ground, from the reference point ahead (x) and to the left (y) `[m]`; the pose's z, if known, decides on which level, then the expected lanes, as in [`Map::ground_at`]. Pitch and roll follow heading, in
+    /// ground, from the reference point ahead (x) and to the left (y) `[m]`; the pose's z, if known, decides on which level. Without it, the reference point decides if it lies on an expected lane, else the first wheel that does, and all wheels are on its level. Pitch and roll follow heading, in
     /// this order. Wheels count where they are in plan view on level ground: on a slope of 10 % that is 0.5 % off. `None` with ground below fewer than three
     /// wheels, or wheels in a line.
     ///
-    /// Errors: numbers that are not finite: of a wheel by its number; a damaged archive.
+    /// Errors: numbers that are not finite: of a wheel by its number, of the pose without one; a damaged archive.
     pub fn stance(
         &self,
         pose: &VehiclePose,
@@ -53,9 +53,12 @@ impl Map<'_> {
         if z.is_none() && !expected.is_empty() {
             for (i, wheel) in [DVec2::ZERO].iter().chain(wheels).enumerate() {
                 let point = Point { xy: below(wheel), z };
-                let number = i.saturating_sub(1);
                 let found = self.ground_at(point, expected, scratch);
-                let found = found.map_err(|error| error.at(number))?;
+                // The place itself comes first, and has no number.
+                let found = match i.checked_sub(1) {
+                    Some(number) => found.map_err(|error| error.at(number))?,
+                    None => found?,
+                };
                 z = found.filter(|ground| expected.contains(&ground.lane)).map(|ground| ground.z);
                 if z.is_some() {
                     break;

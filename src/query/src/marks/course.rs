@@ -25,6 +25,8 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Step along s for the course's direction at a place `[m]`.
 const STEP: f64 = 1e-4;
+/// How far a stretch may go on beyond what its geometry states `[m]`: by rounding alone.
+const MOST_BEYOND: f64 = 1e-3;
 /// What rounding makes of a distance `[m]`.
 const SLACK: f64 = 1e-9;
 
@@ -163,7 +165,7 @@ impl<'m> Course<'m> {
         // A stretch may go on a little beyond the length that its geometry states: all of that lies where the curve ends.
         let to = end.min(piece.s + piece.curve.length());
         let curvature = piece.curve.even_curvature_up_to(0.0)?;
-        if self.mark.sways() || from > to {
+        if self.mark.sways() || from > to || end - to > MOST_BEYOND {
             return None;
         }
         let at = self.slab.at(from);

@@ -153,7 +153,7 @@ impl Map<'_> {
         Ok(search.found(local))
     }
 
-    /// [`Map::nearest_mark`] of many points, in their order, bit for bit. Points near each other, in whatever order, cost a fraction of single
+    /// [`Map::nearest_mark`] of many points, in their order, bit for bit; it may find more of the lines that sway or lie far from their border. Points near each other, in whatever order, cost a fraction of single
     /// calls. `out` is emptied first; it grows only if its capacity is too small.
     ///
     /// Errors: coordinates that are not finite, by the number of the point; a radius that is not.

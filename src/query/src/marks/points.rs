@@ -58,7 +58,7 @@ impl Map<'_> {
     /// - Road marks have a point at every multiple of `spacing` `[m]` of their road's s. Kinds and lane types are the filter's.
     /// - Objects, unless the filter leaves them out, have points along their markings and along borders of the types `paint` and `curb`, at
     ///   multiples of the spacing from where the first stroke begins. Painted objects without such lines have them along their outlines;
-    ///   stop lines also around their boxes. Signals have none: the file does not say which way they extend.
+    ///   stop lines also around their boxes. Lines longer than 10 km are no paint. Signals have none: the file does not say which way they extend.
     ///
     /// Errors: numbers that are not finite.
     pub fn mark_points(

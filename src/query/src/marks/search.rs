@@ -14,6 +14,9 @@ use mapd_archive::NONE;
 /// More styles of marks than this are not looked at to learn how far their lines leave the border.
 const FEW_STYLES: usize = 64;
 
+/// Lines whose own offset is greater `[m]` are found as if it were this: no road is so wide, and a search has to look as far.
+const MOST_OFFSET: f64 = 50.0;
+
 /// How far lines of marks may lie from their lane's border and still be found for sure `[m]`: 0 of a map whose marks all lie on it, and as far as their
 /// own offsets say where there are few.
 pub(super) fn shift(map: Map<'_>) -> f64 {
@@ -23,6 +26,7 @@ pub(super) fn shift(map: Map<'_>) -> f64 {
     }
     let sways = styles.iter().any(|style| style.sway().count > 0);
     let offsets = lines.iter().map(|line| line.t_offset().abs()).fold(0.0, f64::max);
+    let offsets = offsets.min(MOST_OFFSET);
     if sways { MARK_SHIFT + offsets } else { offsets }
 }
 

@@ -16,8 +16,8 @@ use glam::{DMat2, DVec2};
 use mapd_geometry::{clamp, cos_sin};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
-/// Bound of the error of a lane's share, where all hypotheses have 1. What is compared with it is the sum of the parts' estimates: each is
-/// that of the rule of seven points, far above that of fifteen.
+/// What the error of a stretch's share is aimed at, where all hypotheses have 1. What is compared with it is the sum of the parts' estimates: each
+/// is that of the rule of seven points, far above that of fifteen.
 const SHARE_ERROR: f64 = 1e-4;
 /// Largest size of an outline to each side `[m]`.
 const MOST_SIZE: f64 = 100.0;
@@ -119,15 +119,17 @@ pub(super) struct Footprint {
 
 impl Footprint {
     /// `none` is the weight of the hypothesis of that name. `None` for an outline without any size.
+    ///
+    /// Errors: deviations so unlike that the position's, given the heading, are lost in rounding.
     pub(super) fn new(
         outline: &VehicleOutline,
         heading: f64,
         density: &PoseDensity,
         none: f64,
-    ) -> Option<Self> {
+    ) -> Result<Option<Self>, MatchError> {
         let VehicleOutline { front, back, left, right } = *outline;
         if front + back == 0.0 && left + right == 0.0 {
-            return None;
+            return Ok(None);
         }
         // A vehicle without a width is as wide as the map is exact.
         let widened = |size: f64| 0.5 * (MAP_DEVIATION - size).max(0.0);
@@ -138,8 +140,12 @@ impl Footprint {
             .map(|(ahead, aside)| DVec2::new(cos, sin).rotate(DVec2::new(ahead, aside)));
         let (precision, gain) = density.given_heading();
         let covariance = precision.inverse();
+        let is_sound = precision.determinant() > 0.0 && precision.x_axis.x > 0.0;
+        if !(is_sound && covariance.is_finite() && gain.is_finite()) {
+            return Err(MatchError::Determinant);
+        }
         let area = (front + back) * (left + right);
-        Some(Self { corners, area, covariance, precision, gain, none })
+        Ok(Some(Self { corners, area, covariance, precision, gain, none }))
     }
 
     /// How far the outline reaches from the pose's place `[m]`.
@@ -182,7 +188,8 @@ impl Footprint {
             }
         });
         for _ in 0..MOST_HALVED {
-            if waiting.error <= SHARE_ERROR * (waiting.sum + self.none) {
+            let is_rough = waiting.error > SHARE_ERROR * (waiting.sum + self.none);
+            if !is_rough {
                 break;
             }
             let Some(part) = waiting.worst() else { break };

@@ -251,7 +251,10 @@ pub(crate) fn match_at_most<'a>(
     let density = PoseDensity::new(pose.heading, covariance, options.drive_deviation)?;
     let none = options.none * density::ANY_HEADING;
     let outline = options.outline.as_ref();
-    let footprint = outline.and_then(|own| Footprint::new(own, pose.heading, &density, none));
+    let footprint = match outline {
+        Some(own) => Footprint::new(own, pose.heading, &density, none)?,
+        None => None,
+    };
     map.weigh((pose, local), (&density, footprint.as_ref()), options, most, out);
     let prior = |found: &LaneMatch| {
         let lane = map.lane(found.lane).ok();
