@@ -137,12 +137,12 @@ fn errors_that_end_a_daemon_are_in_its_log() {
             said
         };
         let said = ended("json");
-        let events = said.lines().map(|line| {
+        let mut events = said.lines().map(|line| {
             let event: Value = serde_json::from_str(line).expect("a line of JSON");
             assert_eq!(wrong(&schema, &event), None, "{line}");
             event
         });
-        let last = events.last().expect("a line");
+        let last = events.next_back().expect("a line");
         let message = last["message"].as_str().expect("a text");
         assert!(last["level"] == "ERROR" && message.contains(words), "{args:?}: {last}");
         // Text is as it was: the same words, without a level.

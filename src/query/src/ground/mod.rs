@@ -68,7 +68,15 @@ impl<'a> Map<'a> {
         expected: &[LaneId],
         scratch: &mut GroundScratch,
     ) -> Result<Option<Ground<'a>>, QueryError> {
-        let point = point.into();
+        self.ground_of_place(point.into(), expected, scratch)
+    }
+
+    fn ground_of_place(
+        &self,
+        point: Point,
+        expected: &[LaneId],
+        scratch: &mut GroundScratch,
+    ) -> Result<Option<Ground<'a>>, QueryError> {
         if !point.is_place() {
             return Err(QueryError::NotFinite);
         }

@@ -4,7 +4,7 @@ use super::MarkFilter;
 use super::points::{MarkPoint, MarkSource};
 use crate::class_set::ClassSet;
 use crate::map::Map;
-use crate::objects::ObjectPlacement;
+use crate::objects::{ObjectOutline, ObjectPlacement};
 use crate::region::Region;
 use glam::{DVec2, DVec3};
 use mapd_archive::{Class, ObjectShape, ObjectSide, RoadMarkColor, RoadMarkKind};
@@ -53,6 +53,9 @@ impl Strokes {
     }
 }
 
+/// Tells of the corners of a line, one after another. Not generic, as are those who take it: the code for each kind of line would be long.
+type Corners<'a> = dyn Fn(&mut dyn FnMut(DVec3)) + 'a;
+
 /// What is asked for.
 pub(super) struct Asked<'f> {
     pub(super) region: Region,
@@ -61,14 +64,14 @@ pub(super) struct Asked<'f> {
 }
 
 /// Tells of the points along all painted objects in the region.
-pub(super) fn each_point(map: Map<'_>, asked: &Asked<'_>, mut visit: impl FnMut(MarkPoint)) {
+pub(super) fn each_point(map: Map<'_>, asked: &Asked<'_>, visit: &mut dyn FnMut(MarkPoint)) {
     if !asked.filter.objects {
         return;
     }
-    map.visit_places(asked.region, |place| of_place(&place, asked, &mut visit));
+    map.visit_places(asked.region, |place| of_place(&place, asked, visit));
 }
 
-fn of_place(place: &ObjectPlacement<'_>, asked: &Asked<'_>, visit: &mut impl FnMut(MarkPoint)) {
+fn of_place(place: &ObjectPlacement<'_>, asked: &Asked<'_>, visit: &mut dyn FnMut(MarkPoint)) {
     // Copies without gaps have outlines of their own, which no marking names.
     let mut has_lines = false;
     let source = MarkSource::Line(place.placement_id());
@@ -95,16 +98,11 @@ fn of_place(place: &ObjectPlacement<'_>, asked: &Asked<'_>, visit: &mut impl FnM
             width: marking.width(),
         };
         if marking.corners().len() > 0 {
-            paint.along(|| marking.corners(), &strokes, visit);
+            paint.along(&|tell| marking.corners().for_each(tell), &strokes, visit);
         } else if let Some(outline) = marking.outline() {
-            let closing = usize::from(outline.is_closed());
-            paint.along(
-                || outline.positions().chain(outline.positions().take(closing)),
-                &strokes,
-                visit,
-            );
+            paint.around(&outline, outline.is_closed(), &strokes, visit);
         } else if let Some(ends) = marking.side().and_then(|side| side_of(place, side)) {
-            paint.along(|| ends.into_iter(), &strokes, visit);
+            paint.along(&|tell| ends.into_iter().for_each(tell), &strokes, visit);
         }
     }
     for border in place.borders().take_while(|_| !place.is_swept()) {
@@ -123,14 +121,9 @@ fn of_place(place: &ObjectPlacement<'_>, asked: &Asked<'_>, visit: &mut impl FnM
             width: border.width(),
         };
         if border.corners().len() > 0 {
-            paint.along(|| border.corners(), &Strokes::WHOLE, visit);
+            paint.along(&|tell| border.corners().for_each(tell), &Strokes::WHOLE, visit);
         } else if let Some(outline) = border.outline() {
-            let closing = usize::from(outline.is_closed());
-            paint.along(
-                || outline.positions().chain(outline.positions().take(closing)),
-                &Strokes::WHOLE,
-                visit,
-            );
+            paint.around(&outline, outline.is_closed(), &Strokes::WHOLE, visit);
         }
     }
     let class = place.object().class();
@@ -148,26 +141,19 @@ fn of_place(place: &ObjectPlacement<'_>, asked: &Asked<'_>, visit: &mut impl FnM
         width: 0.0,
     };
     for outline in place.outlines() {
-        let closing = usize::from(outline.is_closed() && has_area(outline.positions()));
-        paint.along(
-            || outline.positions().chain(outline.positions().take(closing)),
-            &Strokes::WHOLE,
-            visit,
-        );
+        let is_closed = outline.is_closed() && has_area(outline.positions());
+        paint.around(&outline, is_closed, &Strokes::WHOLE, visit);
     }
     if place.shape() == ObjectShape::Box && LINES.contains(class) {
         let [front_right, front_left, rear_left, rear_right] = place.corners();
-        match (place.length() > 0.0, place.width() > 0.0) {
-            (true, true) => {
-                let around = [front_right, front_left, rear_left, rear_right, front_right];
-                paint.along(|| around.into_iter(), &Strokes::WHOLE, visit);
-            }
-            // Without a width, or a length, it is a line.
-            (true, false) => {
-                paint.along(|| [front_left, rear_left].into_iter(), &Strokes::WHOLE, visit);
-            }
-            _ => paint.along(|| [front_right, front_left].into_iter(), &Strokes::WHOLE, visit),
-        }
+        // Without a width, or a length, it is a line.
+        let around = [front_right, front_left, rear_left, rear_right, front_right];
+        let line = match (place.length() > 0.0, place.width() > 0.0) {
+            (true, true) => &around[..],
+            (true, false) => &around[1..3],
+            _ => &around[..2],
+        };
+        paint.along(&|tell| line.iter().copied().for_each(tell), &Strokes::WHOLE, visit);
     }
 }
 
@@ -182,55 +168,81 @@ struct Paint<'p, 'm> {
 }
 
 impl Paint<'_, '_> {
-    /// Tells of the places along a line, from corner to corner, at multiples of the spacing from the start of its first stroke.
-    fn along<I: Iterator<Item = DVec3>>(
+    /// As [`Self::along`] an outline, back to its first corner where it is closed.
+    fn around(
         &self,
-        line: impl Fn() -> I,
+        outline: &ObjectOutline<'_>,
+        is_closed: bool,
         strokes: &Strokes,
-        visit: &mut impl FnMut(MarkPoint),
+        visit: &mut dyn FnMut(MarkPoint),
     ) {
-        let Asked { region, spacing, filter } = *self.asked;
-        if !filter.kinds.contains(self.kind) {
+        let back = usize::from(is_closed);
+        let corners = || outline.positions().chain(outline.positions().take(back));
+        self.along(&|tell| corners().for_each(tell), strokes, visit);
+    }
+
+    /// Tells of the places along a line, from corner to corner, at multiples of the spacing from the start of its first stroke. `line` tells
+    /// of its corners.
+    fn along(&self, line: &Corners<'_>, strokes: &Strokes, visit: &mut dyn FnMut(MarkPoint)) {
+        if !self.asked.filter.kinds.contains(self.kind) {
             return;
         }
-        let pieces = || line().zip(line().skip(1));
-        let length: f64 = pieces().map(|(from, to)| from.distance(to)).sum();
+        let each_piece = |tell: &mut dyn FnMut(DVec3, DVec3)| {
+            let mut before = None;
+            line(&mut |corner| {
+                if let Some(from) = before.replace(corner) {
+                    tell(from, corner);
+                }
+            });
+        };
+        let mut length = 0.0;
+        each_piece(&mut |from, to| length += from.distance(to));
         // Also where it is no number.
         let is_paint = length <= LONGEST;
         if !is_paint {
             return;
         }
-        let last = length - strokes.stop;
-        let mut gone = 0.0;
-        for (from, to) in pieces() {
-            let piece = from.distance(to);
-            let start = gone;
-            gone += piece;
-            let flat = [from, to].map(DVec3::truncate);
-            let Some([low, high]) = inside(flat, region) else { continue };
-            // One more on either side, so that rounding leaves none out; each is looked at once more.
-            let first = ((start + low * piece - strokes.start) / spacing).floor() - 1.0;
-            let end = (start + high * piece - strokes.start) / spacing + 1.0;
-            let mut number = first.max(0.0);
-            while number <= end {
-                let along = number * spacing;
-                let at = strokes.start + along;
-                number += 1.0;
-                // What ends a piece belongs to the next one.
-                if !(at >= start && at < gone && at <= last && strokes.paints(along)) {
-                    continue;
-                }
-                let position = from.lerp(to, (at - start) / piece) + strokes.rise * DVec3::Z;
-                if region.holds(position.truncate()) {
-                    visit(MarkPoint {
-                        position,
-                        source: self.source,
-                        s: self.place.s(),
-                        kind: self.kind,
-                        color: self.color,
-                        width: self.width,
-                    });
-                }
+        let (mut gone, last) = (0.0, length - strokes.stop);
+        each_piece(&mut |from, to| {
+            let begin = gone;
+            gone += from.distance(to);
+            self.along_piece([from, to], [begin, gone.min(last.next_up())], strokes, visit);
+        });
+    }
+
+    /// Tells of the places along a piece of a line, which begins and ends so far along the line.
+    fn along_piece(
+        &self,
+        [from, to]: [DVec3; 2],
+        [begin, end]: [f64; 2],
+        strokes: &Strokes,
+        visit: &mut dyn FnMut(MarkPoint),
+    ) {
+        let Asked { region, spacing, .. } = *self.asked;
+        let piece = from.distance(to);
+        let Some([low, high]) = inside([from, to].map(DVec3::truncate), region) else { return };
+        // One more on either side, so that rounding leaves none out; each is looked at once more.
+        let first = ((begin + low * piece - strokes.start) / spacing).floor() - 1.0;
+        let most = (begin + high * piece - strokes.start) / spacing + 1.0;
+        let mut number = first.max(0.0);
+        while number <= most {
+            let along = number * spacing;
+            let at = strokes.start + along;
+            number += 1.0;
+            // What ends a piece belongs to the next one.
+            if !(at >= begin && at < end && strokes.paints(along)) {
+                continue;
+            }
+            let position = from.lerp(to, (at - begin) / piece) + strokes.rise * DVec3::Z;
+            if region.holds(position.truncate()) {
+                visit(MarkPoint {
+                    position,
+                    source: self.source,
+                    s: self.place.s(),
+                    kind: self.kind,
+                    color: self.color,
+                    width: self.width,
+                });
             }
         }
     }

@@ -96,7 +96,9 @@ impl Map<'_> {
                 });
             }
         });
-        painted::each_point(*self, &Asked { region, spacing, filter }, |point| out.push(point));
+        painted::each_point(*self, &Asked { region, spacing, filter }, &mut |point| {
+            out.push(point)
+        });
         Ok(())
     }
 }

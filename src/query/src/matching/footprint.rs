@@ -162,7 +162,8 @@ impl Footprint {
         density: &PoseDensity,
         forward: bool,
     ) -> f64 {
-        let cut = |s: f64| cross_line(lane, slab, s, local, forward);
+        // Once, not in each of its uses: the line across is long code.
+        let cut: &dyn Fn(f64) -> CrossLine = &|s| cross_line(lane, slab, s, local, forward);
         let at_foot = cut(foot);
         let stretch = |l: f64| 1.0 - at_foot.curvature * l;
         let least = stretch(at_foot.low).min(stretch(at_foot.high)).max(MIN_STRETCH);
@@ -220,7 +221,7 @@ impl Footprint {
     fn cut_at_corners(
         &self,
         foot: f64,
-        cut: impl Fn(f64) -> CrossLine,
+        cut: &dyn Fn(f64) -> CrossLine,
         density: &PoseDensity,
         cuts: &mut Cuts,
     ) {
@@ -244,7 +245,7 @@ impl Footprint {
     fn cut_at_borders(
         &self,
         foot: f64,
-        cut: impl Fn(f64) -> CrossLine,
+        cut: &dyn Fn(f64) -> CrossLine,
         density: &PoseDensity,
         cuts: &mut Cuts,
     ) {
