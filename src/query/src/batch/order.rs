@@ -44,7 +44,7 @@ impl Order {
             }
             // Square cells: what is near along one axis is as near as along the other.
             let extent = (high - low).max_element();
-            let scale = (CELLS / extent.max(f64::MIN_POSITIVE)).min(1.0 / SMALLEST_CELL);
+            let scale = cells_per_metre(extent);
             let bits = 2 * (u64::BITS - ((extent * scale) as u64).leading_zeros());
             self.keys.clear();
             self.keys.extend(
@@ -118,9 +118,11 @@ impl OrderedRun<'_> {
 
 /// A place's cell along the curve, which is laid over the square that begins at the smallest coordinates of some places and reaches to the largest.
 pub(crate) fn curve_key(place: DVec2, low: DVec2, high: DVec2) -> u32 {
-    let extent = (high - low).max_element();
-    let scale = (CELLS / extent.max(f64::MIN_POSITIVE)).min(1.0 / SMALLEST_CELL);
-    curve(place, low, scale)
+    curve(place, low, cells_per_metre((high - low).max_element()))
+}
+
+fn cells_per_metre(extent: f64) -> f64 {
+    (CELLS / extent.max(f64::MIN_POSITIVE)).min(1.0 / SMALLEST_CELL)
 }
 
 fn curve(place: DVec2, low: DVec2, scale: f64) -> u32 {

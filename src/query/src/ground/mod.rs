@@ -71,6 +71,7 @@ impl<'a> Map<'a> {
         self.ground_of_place(point.into(), expected, scratch)
     }
 
+    /// As [`Map::ground_at`], whose code would else be there for each form of a point.
     fn ground_of_place(
         &self,
         point: Point,

@@ -1,11 +1,9 @@
 //! The nearest marks to many points: what may be nearest to points near each other is found once for all of them.
 
-use super::search::{Candidate, Markless, Search, each_course, shift};
+use super::search::{Candidate, Search, courses_near, shift};
 use super::{MarkFilter, NearMark};
 use crate::batch::curve_key;
-use crate::index;
 use crate::map::Map;
-use crate::nearest::round_up;
 use glam::DVec2;
 
 /// Points that are ordered at once, in the stack's memory.
@@ -94,36 +92,21 @@ impl<'m> Tile<'m> {
         self.count = 0;
         let (low, high) = (low - self.map.origin(), high - self.map.origin());
         let (middle, around) = (0.5 * (low + high), 0.5 * (high - low).length() + SLACK);
-        let map = self.map;
         let (mut limit, mut fits) = (filter.radius + around, true);
-        let start = round_up(limit + shift);
-        let mut markless = Markless::NONE;
-        index::visit(map.tables(), middle, None, start, |leaf, qx, qy, mut bound| {
-            let (lanes, segments) = (leaf.lane(), leaf.segment());
-            let lower = index::lower_bounds(leaf, qx, qy, None);
-            let mut open = index::places_within(&lower, bound);
-            while let Some(k) = index::least(&lower, open) {
-                open &= !(1 << k);
-                each_course(map, lanes[k], segments[k], filter, &mut markless, |course| {
-                    let candidate = Candidate::new(course);
-                    // Of a course that is searched nothing is known for sure: every point asks it.
-                    let Some(distance) = candidate.form.distance(middle) else {
-                        fits &= self.add(f64::NEG_INFINITY, candidate, limit - around);
-                        return;
-                    };
-                    if distance <= limit {
-                        // What is farther from the middle than this one by the tile's size is farther from every point.
-                        limit = limit.min(distance + 2.0 * around);
-                        fits &= self.add(distance - around, candidate, limit - around);
-                    }
-                });
-                if !fits {
-                    return 0.0;
+        courses_near(self.map, middle, filter, [limit, shift], |course| {
+            let candidate = Candidate::new(course);
+            match candidate.form.distance(middle) {
+                // Of a course that is searched nothing is known for sure: every point asks it.
+                None => fits &= self.add(f64::NEG_INFINITY, candidate, limit - around),
+                Some(distance) if distance <= limit => {
+                    // What is farther from the middle than this one by the tile's size is farther from every point.
+                    limit = limit.min(distance + 2.0 * around);
+                    fits &= self.add(distance - around, candidate, limit - around);
                 }
-                bound = bound.min(round_up(limit + shift));
-                open &= index::places_within(&lower, bound);
+                Some(_) => {}
             }
-            bound
+            // Without room it is in vain.
+            if fits { limit } else { f64::NEG_INFINITY }
         });
         if fits {
             self.keep(limit - around);

@@ -31,7 +31,7 @@ pub(super) fn shift(map: Map<'_>) -> f64 {
 }
 
 /// Visits the lanes whose borders count in a stretch of one of them: its own outer one, and lane 0's with one of the two lanes beside it.
-pub(super) fn each_owner<'m>(
+fn each_owner<'m>(
     lane: &Lane<'m>,
     filter: &MarkFilter,
     mut visit: impl FnMut(&Lane<'m>),
@@ -86,22 +86,10 @@ impl<'m, 'f> Search<'m, 'f> {
 
     /// Looks everywhere that the filter's radius allows.
     pub(super) fn everywhere(&mut self, local: DVec2) {
-        let (map, filter, shift) = (self.map, self.filter, shift(self.map));
-        let mut markless = Markless::NONE;
-        let start = round_up(filter.radius + shift);
-        index::visit(map.tables(), local, None, start, |leaf, qx, qy, mut bound| {
-            let (lanes, segments) = (leaf.lane(), leaf.segment());
-            let lower = index::lower_bounds(leaf, qx, qy, None);
-            let mut open = index::places_within(&lower, bound);
-            while let Some(k) = index::least(&lower, open) {
-                open &= !(1 << k);
-                each_course(map, lanes[k], segments[k], filter, &mut markless, |course| {
-                    self.consider(Candidate::new(course), local);
-                });
-                bound = bound.min(round_up(self.limit() + shift));
-                open &= index::places_within(&lower, bound);
-            }
-            bound
+        let (map, filter) = (self.map, self.filter);
+        courses_near(map, local, filter, [filter.radius, shift(map)], |course| {
+            self.consider(Candidate::new(course), local);
+            self.limit()
         });
     }
 
@@ -162,6 +150,33 @@ impl Markless {
         }
         self.next = (self.next + 1) % REMEMBERED;
     }
+}
+
+/// Visits the courses whose borders are within a limit of a place and may lie a shift off them `[m]`, about the nearest first. `visit` answers how far
+/// away, from then on, what still counts may be.
+pub(super) fn courses_near<'m>(
+    map: Map<'m>,
+    local: DVec2,
+    filter: &MarkFilter,
+    [mut limit, shift]: [f64; 2],
+    mut visit: impl FnMut(Course<'m>) -> f64,
+) {
+    let mut markless = Markless::NONE;
+    let start = round_up(limit + shift);
+    index::visit(map.tables(), local, None, start, |leaf, qx, qy, mut bound| {
+        let (lanes, segments) = (leaf.lane(), leaf.segment());
+        let lower = index::lower_bounds(leaf, qx, qy, None);
+        let mut open = index::places_within(&lower, bound);
+        while let Some(k) = index::least(&lower, open) {
+            open &= !(1 << k);
+            each_course(map, lanes[k], segments[k], filter, &mut markless, |course| {
+                limit = visit(course);
+            });
+            bound = bound.min(round_up(limit + shift));
+            open &= index::places_within(&lower, bound);
+        }
+        bound
+    });
 }
 
 /// Visits each course along a stretch of the index.

@@ -67,8 +67,7 @@ pub(super) fn weight(
         return 0.0;
     }
     let middle = stretch(0.5 * (at_foot.low + at_foot.high)).abs().max(MIN_STRETCH);
-    let tangent = DVec2::new(at_foot.normal.y, -at_foot.normal.x);
-    let part = PART * density.deviation_along(tangent, middle, at_foot.curvature);
+    let part = PART * density.deviation_along(at_foot.tangent(), middle, at_foot.curvature);
     let parts = ((to - from) / part).ceil().max(1.0).min(MAX_PARTS as f64) as usize;
     let half = 0.5 * (to - from) / parts as f64;
     let mut sum = 0.0;
