@@ -11,11 +11,11 @@ pub(crate) struct DomainArgs {
     /// Prefix of all names in shared memory [default: mapd_]
     ///
     /// Daemon and clients need the same one: letters and digits, one _ at the end.
-    #[arg(long, env = "MAPD_PREFIX", value_name = "PREFIX")]
+    #[arg(long, env = "MAPD_PREFIX", hide_env_values = true, value_name = "PREFIX")]
     prefix: Option<String>,
 
     /// Trust the daemon of this user, by name or number; it has to share (--share) [default: this process's user]
-    #[arg(long, env = "MAPD_OWNER", value_name = "USER")]
+    #[arg(long, env = "MAPD_OWNER", hide_env_values = true, value_name = "USER")]
     owner: Option<String>,
 }
 

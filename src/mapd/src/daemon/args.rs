@@ -55,7 +55,7 @@ pub(crate) struct DaemonArgs {
     last_good: bool,
 
     /// Folder for compiled archives and generation numbers [default: $XDG_CACHE_HOME/mapd or ~/.cache/mapd, for root /var/cache/mapd]
-    #[arg(long, env = "MAPD_CACHE", value_name = "DIR")]
+    #[arg(long, env = "MAPD_CACHE", hide_env_values = true, value_name = "DIR")]
     cache: Option<PathBuf>,
 
     /// Keep no archives; this disables `mapd rollback`

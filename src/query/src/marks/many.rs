@@ -93,7 +93,7 @@ impl<'m> Tile<'m> {
         let (low, high) = (low - self.map.origin(), high - self.map.origin());
         let (middle, around) = (0.5 * (low + high), 0.5 * (high - low).length() + SLACK);
         let (mut limit, mut fits) = (filter.radius + around, true);
-        courses_near(self.map, middle, filter, [limit, shift], |course| {
+        courses_near(self.map, middle, filter, [limit, shift], &mut |course| {
             let candidate = Candidate::new(course);
             match candidate.form.distance(middle) {
                 // Of a course that is searched nothing is known for sure: every point asks it.

@@ -31,11 +31,7 @@ pub(super) fn shift(map: Map<'_>) -> f64 {
 }
 
 /// Visits the lanes whose borders count in a stretch of one of them: its own outer one, and lane 0's with one of the two lanes beside it.
-fn each_owner<'m>(
-    lane: &Lane<'m>,
-    filter: &MarkFilter,
-    mut visit: impl FnMut(&Lane<'m>),
-) {
+fn each_owner<'m>(lane: &Lane<'m>, filter: &MarkFilter, mut visit: impl FnMut(&Lane<'m>)) {
     visit(lane);
     // The lane to the inside has its border itself, unless the filter leaves it out.
     if let Some(inner) = lane.inner() {
@@ -87,7 +83,7 @@ impl<'m, 'f> Search<'m, 'f> {
     /// Looks everywhere that the filter's radius allows.
     pub(super) fn everywhere(&mut self, local: DVec2) {
         let (map, filter) = (self.map, self.filter);
-        courses_near(map, local, filter, [filter.radius, shift(map)], |course| {
+        courses_near(map, local, filter, [filter.radius, shift(map)], &mut |course| {
             self.consider(Candidate::new(course), local);
             self.limit()
         });
@@ -159,7 +155,7 @@ pub(super) fn courses_near<'m>(
     local: DVec2,
     filter: &MarkFilter,
     [mut limit, shift]: [f64; 2],
-    mut visit: impl FnMut(Course<'m>) -> f64,
+    visit: &mut dyn FnMut(Course<'m>) -> f64,
 ) {
     let mut markless = Markless::NONE;
     let start = round_up(limit + shift);
