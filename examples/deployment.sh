@@ -161,19 +161,12 @@ if command -v systemd-analyze >/dev/null; then
 else
     skip "systemd-analyze is not here"
 fi
-# What systemd does with them: users and groups, the environment, the command. The names are those of this script.
-named() { sed "s/\bvehicle\b/$daemon_user/g; s/\bdrivers\b/$drivers/g; s/\bdriver\b/$driver/g"; }
-value() { # UNIT KEY: the last one holds
-    cat "$units/$1.service" "$units/other-users/$1.conf" | sed -n "s/^$2=//p" | tail -n 1 | named
-}
-as_unit() { # UNIT COMMAND…
-    setpriv --reuid="$(value "$1" User)" --regid="$(value "$1" Group)" --groups="$(value "$1" SupplementaryGroups)" --no-new-privs "${@:2}"
-}
-export MAP="$work/town.xodr" CACHE_DIRECTORY="$work/cache"
-command=$(value mapd ExecStart | sed "s#^/usr/bin/mapd#$work/mapd#")
-unset MAPD_OWNER
-# shellcheck disable=SC2016
-serve setpriv --reuid="$(value mapd User)" --regid="$(value mapd Group)" --groups="$(value mapd SupplementaryGroups)" --no-new-privs sh -c "exec $command"
-expect_lane "$(ask as_unit planner env "$(value planner Environment)" "$work/mapd")"
-stop
+step "the units under a systemd of their own"
+verdict=0
+examples/systemd/boot "$mapd" || verdict=$?
+case $verdict in
+    0) ;;
+    77) skip "systemd cannot be booted here" ;;
+    *) fail "what systemd makes of the units" ;;
+esac
 step "done"
