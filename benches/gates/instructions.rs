@@ -67,17 +67,17 @@ const PER_BYTE: f64 = 473.0;
 /// Most that compiling may take with a patch of some roads, as a share of what it takes without.
 const PATCHED: f64 = 1.10;
 
-/// The programs that ask queries, and of paths and routes, built as planners link the client: nothing is said of code generation, and they
-/// lie outside of the crates that answer. None where they cannot be built.
+/// The programs that ask queries, and of paths and routes, built as planners link the client: they lie outside of the crates that answer. With the
+/// packages of this benchmark, so that what they have in common is built once. None where they cannot be built.
 fn probes() -> Option<[String; 3]> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
-    let arguments = ["build", "--quiet", "--profile", "planner", "--package", "mapd-planner"];
-    let is_built =
-        Command::new(cargo).args(arguments).status().is_ok_and(|status| status.success());
-    // Beside the folder of this profile.
-    let target = Path::new(env!("CARGO_BIN_EXE_compile_probe")).parent()?.parent()?;
-    let programs =
-        ["query_probe", "view_probe", "path_probe"].map(|name| target.join("planner").join(name));
+    let arguments = "build --quiet --release --bins -p mapd -p mapd-gates -p mapd-planner";
+    let is_built = Command::new(cargo)
+        .args(arguments.split(' '))
+        .status()
+        .is_ok_and(|status| status.success());
+    let target = Path::new(env!("CARGO_BIN_EXE_compile_probe")).parent()?;
+    let programs = ["query_probe", "view_probe", "path_probe"].map(|name| target.join(name));
     (is_built && programs.iter().all(|program| program.exists()))
         .then(|| programs.map(|program| program.to_string_lossy().into_owned()))
 }
