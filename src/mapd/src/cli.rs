@@ -58,6 +58,9 @@ struct Cli {
     command: Option<Command>,
 }
 
+/// Name of the program, whatever its file is called.
+pub(crate) const PROGRAM: &str = "mapd";
+
 /// Name of the command that compiles.
 const COMPILE: &str = "compile";
 
@@ -130,20 +133,13 @@ enum Command {
     Help(HelpCommand),
 }
 
-/// Options of the daemon that `mapd -h` tells, so that it fits a screen; `mapd --help` tells all.
-const TOLD_FIRST: [&str; 7] = ["load", "name", "config", "watch", "cache", "metrics", "prefix"];
-
 /// Columns of help where the terminal has more: longer lines are hard to read.
 const MOST_COLUMNS: usize = 100;
 
 /// The command line itself: commands, options and their help, to be looked at or completed.
 pub fn command() -> clap::Command {
-    let told = |arg: clap::Arg| {
-        let told = TOLD_FIRST.contains(&arg.get_id().as_str());
-        arg.hide_short_help(!told)
-    };
-    let command = Cli::command().max_term_width(MOST_COLUMNS);
-    help::completed(numbers_of_options(command.mut_args(told)))
+    let command = Cli::command().bin_name(PROGRAM).max_term_width(MOST_COLUMNS);
+    help::completed(numbers_of_options(command))
 }
 
 /// Lets an option's own check refuse a negative number, which would be taken for an unknown option otherwise.
@@ -159,7 +155,14 @@ fn numbers_of_options(command: clap::Command) -> clap::Command {
 pub fn run() -> ExitCode {
     crate::allocator::give_back();
     survive_file_limits();
-    match execute(&command().get_matches()) {
+    let matches = match command().try_get_matches() {
+        Ok(matches) => matches,
+        Err(error) if help::is_first_page(&error, command()) => {
+            return first_page(Exit::Done).into();
+        }
+        Err(error) => error.exit(),
+    };
+    match execute(&matches) {
         Ok(exit) => exit.into(),
         // The reader of the output is gone, so the error cannot be reported.
         Err(error) if is_broken_pipe(&error) => Exit::Done.into(),
@@ -170,6 +173,12 @@ pub fn run() -> ExitCode {
             exit_of(&error).into()
         }
     }
+}
+
+/// Shows the first page of help. A reader who has gone wants no more of it.
+fn first_page(exit: Exit) -> Exit {
+    let _ = help::with_first_page(command(), MOST_COLUMNS).print_help();
+    exit
 }
 
 /// The exit code that an error ends the program with.
@@ -254,8 +263,7 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
 /// What mapd does without a command: it is the daemon, or says how it is used.
 fn serve(cli: &Cli, matches: &ArgMatches) -> Result<Exit> {
     if !cli.daemon.is_wanted() {
-        command().print_help()?;
-        return Ok(Exit::Usage);
+        return Ok(first_page(Exit::Usage));
     }
     let log = &cli.oversight.log;
     log.init();

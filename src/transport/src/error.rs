@@ -32,7 +32,7 @@ pub enum AttachError {
         root: PathBuf,
     },
     /// Daemons are running, but none serves this map.
-    #[error("map {map:?} is not served; served are {available:?}; check the name or load the map")]
+    #[error("map {map:?} is not served; served are {}; check the name or load the map", available.join(", "))]
     NoSuchMap {
         /// The map.
         map: String,

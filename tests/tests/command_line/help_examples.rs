@@ -10,17 +10,33 @@ const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 /// What serves until it is ended, and is only looked at.
 const SERVING: [&str; 2] = ["mapd --load", "mapd view"];
 
-/// The lines to type of each command, in the order of `mapd --help`.
-fn examples() -> Vec<(String, String)> {
-    let program = mapd::cli::command();
-    let of = |command: &clap::Command| {
-        let help = command.get_after_long_help().map(ToString::to_string).unwrap_or_default();
-        let (_, examples) = help.split_once("Examples:").unwrap_or_default();
-        let lines = examples.lines().filter_map(|line| line.strip_prefix("    "));
-        lines.map(|line| (command.get_name().to_owned(), line.to_owned())).collect::<Vec<_>>()
-    };
-    let shown = program.get_subcommands().filter(|command| !command.is_hide_set());
-    std::iter::once(&program).chain(shown).flat_map(of).collect()
+/// The lines to type of a command and of those below it, in the order of the help.
+fn examples(command: &clap::Command, names: &str) -> Vec<(String, String)> {
+    let help = command.get_after_long_help().map(ToString::to_string).unwrap_or_default();
+    let (_, examples_of_it) = help.split_once("Examples:").unwrap_or_default();
+    let lines = examples_of_it.lines().filter_map(|line| line.strip_prefix("    "));
+    let mut all: Vec<_> = lines.map(|line| (names.to_owned(), line.to_owned())).collect();
+    for (below, names) in below(command, names) {
+        all.extend(examples(below, &names));
+    }
+    all
+}
+
+/// Commands below one that people see, with the words that lead to them.
+fn below<'a>(
+    command: &'a clap::Command,
+    names: &'a str,
+) -> impl Iterator<Item = (&'a clap::Command, String)> {
+    let shown = command.get_subcommands().filter(|one| !one.is_hide_set());
+    shown.map(move |one| (one, format!("{names} {}", one.get_name())))
+}
+
+/// Commands without an example.
+fn without(command: &clap::Command, names: &str, told: &[(String, String)]) -> Vec<String> {
+    let lacks = |names: &str| told.iter().all(|(command, _)| command != names);
+    let own = lacks(names).then(|| names.to_owned());
+    let others = below(command, names).flat_map(|(below, names)| without(below, &names, told));
+    own.into_iter().chain(others).collect()
 }
 
 /// A folder as the examples presume it: a town, a folder of maps, a configuration, a pair of keys, and mapd in the path.
@@ -54,7 +70,8 @@ fn every_command_has_examples_that_work() {
     let path = std::env::var("PATH").expect("a path");
     let path = format!("{}:{path}", folder.path().join("bin").display());
     let town = std::fs::read_to_string(carried("town.xodr")).expect("a map");
-    let examples = examples();
+    let program = mapd::cli::command();
+    let examples = examples(&program, "mapd");
     for (number, (command, line)) in examples.iter().enumerate() {
         if SERVING.iter().any(|serving| line.starts_with(serving)) {
             let parsed = mapd::cli::command().try_get_matches_from(line.split_whitespace());
@@ -74,12 +91,7 @@ fn every_command_has_examples_that_work() {
         let found = line.starts_with("mapd doctor") && output.status.code() == Some(1);
         assert!(output.status.success() || found, "{command}: {line}: {told}");
     }
-    let without: Vec<_> = mapd::cli::command()
-        .get_subcommands()
-        .filter(|one| !one.is_hide_set())
-        .map(|one| one.get_name().to_owned())
-        .filter(|name| examples.iter().all(|(command, _)| command != name))
-        .collect();
+    let without = without(&program, "mapd", &examples);
     assert!(without.is_empty(), "without examples: {without:?}");
     assert_eq!(daemon.stop(), 0);
 }

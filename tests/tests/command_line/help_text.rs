@@ -35,10 +35,39 @@ fn topics_and_commands_are_explained() {
         (&["help", "files"], 0, "mapd.toml"),
         (&["help", "help"], 0, "Topics: sources, units, exit-codes, environment, files"),
         (&["help", "qeury"], 2, "'query'"),
-        (&["help", "overlay", "aply"], 2, "overlay has no command aply"),
+        (&["help", "overlay", "aply"], 2, "overlay has no command aply; did you mean \"apply\"?"),
+        (&["help", "overlay", "x"], 2, "overlay has no command x\n"),
     ] {
         check(args, code, expected);
     }
+}
+
+/// Texts that are printed as they are.
+#[test]
+fn topics_and_tables_fit_a_terminal() {
+    for topic in ["sources", "units", "exit-codes", "environment", "files", "query"] {
+        let output = run(MAPD, &["help", topic], "");
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        // Options and paragraphs are as wide as the terminal.
+        let (_, table) = text.split_once("\nKinds, with").unwrap_or(("", &text));
+        let (table, _) = table.split_once("\nMetres and").unwrap_or((table, ""));
+        let long: Vec<&str> = table.lines().filter(|line| line.chars().count() > 80).collect();
+        assert!(long.is_empty() && table.lines().count() > 5, "{topic}: {long:?}");
+    }
+}
+
+#[test]
+fn the_nearest_word_is_suggested() {
+    for (args, meant) in [
+        (&["chekc"][..], "'check'"),
+        (&["check", "m.xodr", "--formt", "json"], "'--format'"),
+        (&["query", "m.xodr", "neerest"], "'nearest'"),
+        (&["query", "m.xodr", "route", "--vehicle", "buss"], "did you mean \"bus\"?"),
+    ] {
+        check(args, 2, meant);
+    }
+    let town = mapd_tests::carried("town.xodr").display().to_string();
+    check(&["query", &town, "nearest", "--types", "drivng"], 2, "did you mean \"driving\"?");
 }
 
 /// Long help of a command and of those below it.

@@ -50,6 +50,7 @@ mod readme;
 mod sentences;
 // What the program says of itself: help, completions and man pages.
 mod shell;
+mod shell_files;
 // What people see on a terminal: colours where they are wanted, and lines of help that fit.
 mod terminal;
 // `mapd compile` of many files: one archive and one report each, whatever becomes of the others.

@@ -221,11 +221,22 @@ fn configurations_are_read_as_the_daemon_reads_them() {
     let packaged = packaged
         .replace("group:mapd", "group:root")
         .replace("/usr/share/mapd/maps/town.xodr", &town);
+    let service = std::fs::read_to_string(mapd_tests::workspace().join("docs/service.md"));
+    let service = service.expect("read");
+    let (_, example) = service.split_once("```toml\n").expect("an example of all keys");
+    let (example, _) = example.split_once("```").expect("an end");
+    let map = format!("[[map]]\nfile = {town:?}\n");
+    let twice = map.repeat(2);
+    let options = format!("{map}options.ontology = [\"no_such.toml\"]\n");
     for (text, check, state, words) in [
+        (example, "configuration", "ok", "2 map(s)"),
         (packaged.as_str(), "configuration", "ok", "1 map(s)"),
         (packaged.as_str(), "configured map", "ok", town.as_str()),
         ("", "configuration", "note", "no maps"),
         ("watsch = true", "configuration", "problem", "line 1, column 1"),
+        ("watsch = true", "configuration", "problem", "did you mean \"watch\"?"),
+        (twice.as_str(), "configured map", "problem", "two maps would be named town"),
+        (options.as_str(), "configured map", "problem", "no_such.toml"),
         ("[[map]]\nfile = \"none.xodr\"", "configured map", "problem", "No such file"),
     ] {
         std::fs::write(&file, text).expect("written");

@@ -554,7 +554,7 @@ fn a_file_of_settings_names_maps_and_errors_name_lines() {
     assert_eq!(of("b").map().roads().count(), 56);
     assert_eq!(of("b").map().tables().landmark_lengths.len(), 0);
     let refused = place.change_refused("c");
-    assert!(refused.contains("no daemon answers"), "{refused}");
+    assert!(refused.contains("no daemon answers; served are a, b"), "{refused}");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Words of the map's vocabulary as options.
 
 use crate::exit::UsageError;
+use crate::similar::did_you_mean;
 use anyhow::{Result, bail};
 use mapd_client::LaneTypes;
 use mapd_client::vocabulary::{LaneType, VehicleClass};
@@ -23,7 +24,8 @@ pub(crate) fn lane_types(names: &[String]) -> Result<LaneTypes> {
             LaneType::Unknown => {
                 let known: Vec<&str> = LaneType::ALL.iter().map(|kind| kind.name()).collect();
                 bail!(UsageError(format!(
-                    "unknown lane type {name:?}; known are drivable, {}",
+                    "unknown lane type {name:?}{}; known are drivable, {}",
+                    did_you_mean(name, known.iter().copied()),
                     known.join(", ")
                 )));
             }
@@ -40,7 +42,8 @@ pub(crate) fn vehicle(name: &str) -> Result<VehicleClass, String> {
     match VehicleClass::from_name(name) {
         VehicleClass::Unknown => {
             let all: Vec<_> = VehicleClass::ALL.iter().map(|class| class.name()).collect();
-            Err(format!("expected one of {}", all.join(", ")))
+            let meant = did_you_mean(name, all.iter().copied());
+            Err(format!("expected one of {}{meant}", all.join(", ")))
         }
         known => Ok(known),
     }

@@ -5,6 +5,7 @@ use crate::clock::since_epoch;
 use crate::control::{CacheStatus, DaemonStatus, MapState, OverlayStatus, Request, Response, ask};
 use crate::exit::Exit;
 use crate::report::hex;
+use crate::rounded;
 use anyhow::Result;
 use clap::Args;
 use mapd_client::Domain;
@@ -165,7 +166,7 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
         writeln!(out, "no maps are served (prefix {})", domain.prefix())?;
         return Ok(maps);
     }
-    let head = ("map", "generation", "bytes", "readers", "since", "content");
+    let head = ("map", "generation", "size", "readers", "since", "content");
     writeln!(
         out,
         "{:<20} {:>14} {:>12} {:>8} {:>10}  {}",
@@ -184,13 +185,13 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
             "{:<20} {:>14} {:>12} {:>8} {:>10}  {content}",
             map.name,
             number(map.generation),
-            number(map.bytes),
+            map.bytes.map_or_else(|| "-".to_owned(), size),
             map.subscribers,
             since
         )?;
         let Some(state) = &map.state else { continue };
         if let Some(staged) = &state.staged {
-            writeln!(out, "    staged: generation {}, {} bytes", staged.generation, staged.bytes)?;
+            writeln!(out, "    staged: generation {}, {}", staged.generation, size(staged.bytes))?;
         }
         if state.overlay.entries > 0 {
             let OverlayStatus { revision, entries, unplaced, in_part } = state.overlay;
@@ -205,8 +206,9 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
         for held in &state.held {
             writeln!(
                 out,
-                "    held by readers: generation {}, {} bytes",
-                held.generation, held.bytes
+                "    held by readers: generation {}, {}",
+                held.generation,
+                size(held.bytes)
             )?;
         }
         for (what, check) in [("query of its own", &state.self_queries), ("scrub", &state.scrubs)] {
@@ -219,6 +221,11 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
         }
     }
     Ok(maps)
+}
+
+/// How large an archive is.
+fn size(bytes: u64) -> String {
+    rounded::bytes(bytes as f64)
 }
 
 /// How long ago something was published.

@@ -17,7 +17,7 @@ use std::io::{self, Read, Write};
 
 /// Said at the end of `mapd help match`.
 pub(crate) const HELP: &str = "\
-In: time [s] and x,y[,z] or lat,lon[,alt], in the order of time; hdg if known. Out: lane,s,offset (from the lane's centre, positive to
+In: time [s] and x,y[,z] or lat,lon[,alt], in the order of time; hdg if known. Out: lane,s,offset (from the lane's centre, positive to \
 the left of the reference line) and the probability of the lane given the whole trace; lane is empty if the trace is on no lane.";
 
 /// Columns of the answer.

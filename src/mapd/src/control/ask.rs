@@ -2,7 +2,9 @@
 
 use super::message::{Request, Response};
 use super::{LONGEST_LINE, socket_path};
+use crate::similar::did_you_mean;
 use mapd_client::Domain;
+use mapd_transport::list_maps;
 use rustix::net::{self, AddressFamily, SocketAddrUnix, SocketFlags, SocketType, socket_with};
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::os::unix::net::UnixStream;
@@ -14,10 +16,12 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum AskError {
     /// No daemon serves the map, or the daemon is starting or ending.
-    #[error("map {map:?}: no daemon answers; `mapd status` lists the maps that are served")]
+    #[error("map {map:?}: no daemon answers; {}", which(map, served))]
     NoDaemon {
         /// The map.
         map: String,
+        /// Maps that are served now.
+        served: Vec<String>,
     },
     /// No answer arrived within the wait; the request may still be carried out.
     #[error(
@@ -54,6 +58,21 @@ pub enum AskError {
     },
 }
 
+/// What is served instead.
+fn which(map: &str, served: &[String]) -> String {
+    if served.is_empty() {
+        return "no map is served: `mapd --load FILE` serves one".to_owned();
+    }
+    let meant = did_you_mean(map, served.iter().map(String::as_str));
+    format!("served are {}{meant}", served.join(", "))
+}
+
+/// Maps that have a daemon. Who cannot see the domain sees none.
+fn served(domain: &Domain) -> Vec<String> {
+    let maps = list_maps(domain).unwrap_or_default();
+    maps.into_iter().filter(|map| map.alive).map(|map| map.name).collect()
+}
+
 /// Asks the daemon that serves `map`, and waits for its answer at most so long.
 ///
 /// Errors: no daemon, no answer in time, a daemon that ends meanwhile.
@@ -67,7 +86,7 @@ pub fn ask(
         let map = map.to_owned();
         match error.kind() {
             io::ErrorKind::NotFound | io::ErrorKind::ConnectionRefused => {
-                AskError::NoDaemon { map }
+                AskError::NoDaemon { map, served: served(domain) }
             }
             io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => AskError::Late { map, wait },
             io::ErrorKind::BrokenPipe

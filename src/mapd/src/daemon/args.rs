@@ -102,6 +102,19 @@ pub(crate) struct DaemonArgs {
     share: Option<ShareWith>,
 }
 
+/// Whether a map may have this name beside those that others have already.
+///
+/// Errors: it is no name, or another map has it.
+pub(crate) fn check_name(name: &str, taken: &mut BTreeSet<String>) -> Result<(), UsageError> {
+    check_map_name(name).map_err(|error| UsageError(error.to_string()))?;
+    if taken.insert(name.to_owned()) {
+        return Ok(());
+    }
+    Err(UsageError(format!(
+        "two maps would be named {name}; give one another name, or serve it from a daemon of its own with --name"
+    )))
+}
+
 impl DaemonArgs {
     /// Whether there is anything to serve.
     pub(crate) fn is_wanted(&self) -> bool {
@@ -154,13 +167,7 @@ impl DaemonArgs {
         }
         let mut names = BTreeSet::new();
         for map in &maps {
-            check_map_name(&map.name).map_err(|error| UsageError(error.to_string()))?;
-            if !names.insert(map.name.clone()) {
-                bail!(UsageError(format!(
-                    "two maps would be named {}; give one another name, or serve it from a daemon of its own with --name",
-                    map.name
-                )));
-            }
+            check_name(&map.name, &mut names)?;
             // What makes no sense is wrong usage now, and not a reload that fails later.
             let wrong = |error: anyhow::Error| UsageError(format!("map {}: {error:#}", map.name));
             map.options.parse().map_err(wrong)?;

@@ -7,11 +7,13 @@ use crate::args::ShareWith;
 use crate::args::Size;
 use crate::args::ThreadCount;
 use crate::oversight::OversightSettings;
+use crate::similar::did_you_mean_of;
 use crate::small_text;
 use anyhow::{Context, Result};
 use mapd_client::Domain;
 use serde::Deserialize;
 use std::collections::BTreeMap;
+use std::fmt::Display;
 use std::net::SocketAddr;
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
@@ -108,7 +110,7 @@ impl Configuration {
     }
 
     fn parse(text: &str, folder: &Path) -> Result<Self, String> {
-        let file: File = toml::from_str(text).map_err(|error| error.to_string())?;
+        let file: File = toml::from_str(text).map_err(told)?;
         let domain = match &file.prefix {
             Some(prefix) => Some(
                 Domain::new(prefix.as_ref())
@@ -119,21 +121,25 @@ impl Configuration {
         let for_all = arguments(text, &file.options, folder)?;
         let mut maps = Vec::new();
         for entry in file.maps {
-            let source = folder.join(entry.file.as_ref());
-            let name = match entry.name {
-                Some(name) => name,
-                None => sources::stem(&source)
-                    .map_err(|error| at(text, entry.file.span().start, &error.to_string()))?,
-            };
-            maps.push(MapSettings {
-                name,
-                source,
-                options: arguments(text, &entry.options, folder)?.or(&for_all),
-                watch: entry.watch.unwrap_or(file.watch),
-                stage: entry.stage.unwrap_or(file.stage),
-                last_good: entry.last_good.unwrap_or(file.last_good),
-                max_bytes: entry.max_bytes.map(|size| size.0),
-            });
+            let wrong = |error: &dyn Display| at(text, entry.file.span().start, &error.to_string());
+            let files = sources::expand(&[folder.join(entry.file.as_ref())]);
+            let files = files.map_err(|error| wrong(&format!("{error:#}")))?;
+            if entry.name.is_some() && files.len() > 1 {
+                return Err(wrong(&format!("a name goes with one map, found {}", files.len())));
+            }
+            let options = arguments(text, &entry.options, folder)?.or(&for_all);
+            for source in files {
+                let stem = || sources::stem(&source).map_err(|error| wrong(&error));
+                maps.push(MapSettings {
+                    name: entry.name.clone().map_or_else(stem, Ok)?,
+                    source,
+                    options: options.clone(),
+                    watch: entry.watch.unwrap_or(file.watch),
+                    stage: entry.stage.unwrap_or(file.stage),
+                    last_good: entry.last_good.unwrap_or(file.last_good),
+                    max_bytes: entry.max_bytes.map(|size| size.0),
+                });
+            }
         }
         Ok(Self {
             domain,
@@ -162,6 +168,12 @@ impl Configuration {
             maps,
         })
     }
+}
+
+/// What TOML says, and what a key may have meant.
+fn told(error: toml::de::Error) -> String {
+    let text = error.to_string();
+    format!("{}{}", text.trim_end(), did_you_mean_of(error.message()))
 }
 
 fn arguments(text: &str, options: &Options, folder: &Path) -> Result<CompileArguments, String> {
@@ -220,6 +232,22 @@ mod tests {
     }
 
     #[test]
+    fn a_folder_is_its_maps() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let parse = |text: &str| Configuration::parse(text, folder.path());
+        let empty = parse("[[map]]\nfile = '.'").expect_err("nothing in it");
+        assert!(empty.contains("line 2, column 8") && empty.contains("no .xodr"), "{empty}");
+        for name in ["b.xodr", "a.mapd", "c.txt"] {
+            std::fs::write(folder.path().join(name), "").expect("written");
+        }
+        let file = parse("[[map]]\nfile = '.'\nwatch = true").expect("good");
+        let maps: Vec<_> = file.maps.iter().map(|map| (map.name.as_str(), map.watch)).collect();
+        assert_eq!(maps, [("a", true), ("b", true)]);
+        let named = parse("[[map]]\nfile = '.'\nname = 'x'").expect_err("one name for two");
+        assert!(named.contains("line 2, column 8") && named.contains("found 2"), "{named}");
+    }
+
+    #[test]
     fn errors_name_line_and_column() {
         for (text, place, word) in [
             ("wach = true", "line 1, column 1", "wach"),
@@ -237,6 +265,8 @@ mod tests {
             ("[options]\nlandmarks = true", "line 2, column 13", "number"),
             ("[[map]]\nname = 'x'", "line 1, column 1", "file"),
             ("[[map]\n", "line 1", "expected"),
+            ("wach = true", "line 1, column 1", "did you mean \"watch\"?"),
+            ("[[map]]\nfile = 'x'\nnmae = 'y'", "line 3, column 1", "did you mean \"name\"?"),
         ] {
             let error = Configuration::parse(text, Path::new("")).expect_err("wrong");
             assert!(error.contains(place) && error.contains(word), "{text:?}: {error}");

@@ -28,7 +28,7 @@ mod sources;
 mod watch;
 mod worker;
 
-pub(crate) use args::DaemonArgs;
+pub(crate) use args::{DaemonArgs, check_name};
 pub(crate) use changes::sentence;
 pub(crate) use config::Configuration;
 

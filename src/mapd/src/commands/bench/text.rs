@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::figures::{Comparison, Figures};
+use crate::rounded;
 use std::io::{self, Write};
 
 /// Width of the first column.
@@ -13,8 +14,12 @@ const WHAT: usize = 36;
 pub(super) fn print(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
-        "{}: generation {}, {} bytes, {} lanes, content {}",
-        report.source, report.generation, report.bytes, report.lanes, report.content_hash
+        "{}: generation {}, {}, {} lanes, content {}",
+        report.source,
+        report.generation,
+        rounded::bytes(report.bytes as f64),
+        report.lanes,
+        report.content_hash
     )?;
     writeln!(out, "{} cores, Linux {}", report.cores, report.kernel)?;
     if report.debug_build {

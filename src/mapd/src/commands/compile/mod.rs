@@ -17,6 +17,7 @@ use crate::draft;
 use crate::exit::Exit;
 use crate::exit::UsageError;
 use crate::progress::Meter;
+use crate::rounded;
 use crate::same_file::is_same_file;
 use crate::source::Compiling;
 use anyhow::{Context, Result, bail};
@@ -37,13 +38,12 @@ const TABLE: [&str; 3] = ["output_dir", "jobs", "json"];
 
 /// Said at the end of `mapd help compile`.
 pub(crate) const HELP: &str = "\
-With several files, a folder, --output-dir, --jobs or --json, each file is a tile. Tiles are compiled in processes of their own,
-several at once. Next to DIR/NAME.mapd, DIR/NAME.report.json has all findings. Folders are searched recursively for .xodr and
-.xodrz; DIR gets the same subfolders. A tile is skipped if its archive is up to date with its input, included files, options and
-the program. Jobs share the memory and, without --threads, the cores. The result is a table on stdout; docs/tiles.md has more.
-
-Exit codes: 0 done and accepted, 3 a map was accepted with quarantined parts, 4 a map was rejected, 2 wrong usage, 1 the
-environment failed, for example because compiling needed more memory than --max-memory. For several tiles the worst counts:
+With several files, a folder, --output-dir, --jobs or --json, each file is a tile. Tiles are compiled in processes of their own, \
+several at once. Next to DIR/NAME.mapd, DIR/NAME.report.json has all findings. Folders are searched recursively for .xodr and \
+.xodrz; DIR gets the same subfolders. A tile is skipped if its archive is up to date with its input, included files, options and \
+the program. Jobs share the memory and, without --threads, the cores. The result is a table on stdout; docs/tiles.md has more.\n\n\
+Exit codes: 0 done and accepted, 3 a map was accepted with quarantined parts, 4 a map was rejected, 2 wrong usage, 1 the \
+environment failed, for example because compiling needed more memory than --max-memory. For several tiles the worst counts: \
 1 before 4 before 3.";
 
 /// What to compile, and how.
@@ -222,9 +222,9 @@ fn compile_one(
     if let Some(made) = told.archive.filter(|_| !command.progress.quiet) {
         writeln!(
             out,
-            "{}: {} bytes, {} roads, {} lanes, content {}",
+            "{}: {}, {} roads, {} lanes, content {}",
             target.archive.display(),
-            made.bytes,
+            rounded::bytes(made.bytes as f64),
             made.roads,
             made.lanes,
             made.content_hash

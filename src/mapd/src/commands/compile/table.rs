@@ -4,6 +4,7 @@ use super::inputs::Tile;
 use crate::child::ArchiveFacts;
 use crate::exit::Exit;
 use crate::report::Counts;
+use crate::rounded;
 use anyhow::Result;
 use serde::Serialize;
 use std::io::Write;
@@ -134,7 +135,7 @@ pub(super) fn write_json(rows: &[Row], took: Duration, out: &mut dyn Write) -> R
 
 /// Writes the table for people.
 pub(super) fn write(rows: &[Row], took: Duration, out: &mut dyn Write) -> Result<()> {
-    let head = ["tile", "outcome", "roads", "errors", "warnings", "seconds", "bytes"];
+    let head = ["tile", "outcome", "roads", "errors", "warnings", "seconds", "size"];
     let mut cells = vec![head.map(str::to_owned)];
     for row in rows {
         let known = |number: Option<String>| number.unwrap_or_else(|| "-".to_owned());
@@ -147,7 +148,7 @@ pub(super) fn write(rows: &[Row], took: Duration, out: &mut dyn Write) -> Result
             known(row.findings.map(|findings| findings.errors.to_string())),
             known(row.findings.map(|findings| findings.warnings.to_string())),
             format!("{:.2}", row.seconds),
-            known(archive.map(|archive| archive.bytes.to_string())),
+            known(archive.map(|archive| rounded::bytes(archive.bytes as f64))),
         ]);
     }
     let width = |column: usize| {

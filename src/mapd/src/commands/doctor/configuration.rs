@@ -1,7 +1,8 @@
 //! What a configuration file says, as the daemon would read it.
 
 use super::finding::Finding;
-use crate::daemon::Configuration;
+use crate::daemon::{Configuration, check_name};
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::path::Path;
 
@@ -23,8 +24,18 @@ pub(super) fn examine(path: &Path, out: &mut Vec<Finding>) {
         return;
     }
     out.push(Finding::ok(check, format!("{}: {} map(s)", path.display(), maps.len())));
+    let mut names = BTreeSet::new();
     for map in maps {
         let found = format!("{}: {}", map.name, map.source.display());
+        if let Err(wrong) = check_name(&map.name, &mut names) {
+            out.push(Finding::problem("configured map", found, wrong.to_string()));
+            continue;
+        }
+        if let Err(wrong) = map.options.parse() {
+            let found = format!("{found}: {wrong:#}");
+            out.push(Finding::problem("configured map", found, "correct its options there"));
+            continue;
+        }
         out.push(match File::open(&map.source) {
             Ok(_) => Finding::ok("configured map", found),
             Err(error) => Finding::problem(

@@ -85,6 +85,8 @@ fn examine(
         let colours = Colours::of(&std::io::stdout());
         for Finding { check, state, found, advice } in &findings {
             let shown = colours.severity(state.severity(), state.name());
+            // Further lines, as those of a file that is wrong, stand below the first.
+            let found = found.replace('\n', &format!("\n{:8}{:CHECK$}", "", ""));
             writeln!(out, "{shown:<8}{check:<CHECK$}{found}")?;
             if let Some(advice) = advice {
                 writeln!(out, "{:8}{:CHECK$}→ {advice}", "", "")?;

@@ -115,6 +115,17 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
         ],
     ),
     (
+        "overlay apply",
+        &[(
+            "A limit of 8 m/s on a whole road",
+            "echo '{\"entries\":[{\"id\":\"dust\",\"kind\":\"speed\",\"value\":8,\"lanes\":[{\"road\":\"1\"}]}]}' > dust.json && mapd overlay town apply dust.json",
+        )],
+    ),
+    ("overlay list", &[("What holds now, for programs", "mapd overlay town list --json")]),
+    ("overlay show", &[("All of one entry", "mapd overlay town show dust")]),
+    ("overlay remove", &[("What is over", "mapd overlay town remove dust")]),
+    ("overlay clear", &[("As the map says, again", "mapd overlay town clear")]),
+    (
         "completions",
         &[("For bash", "mapd completions bash > ~/.local/share/bash-completion/completions/mapd")],
     ),
@@ -125,22 +136,31 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
     ),
 ];
 
+/// What stands above the examples.
+pub(crate) const HEADING: &str = "Examples:";
+
 /// Appends its examples to each command's long help.
 pub(super) fn with_examples(mut program: Command) -> Command {
     for (name, examples) in EXAMPLES {
-        program = match *name {
-            "" => told(program, examples),
-            name => program.mut_subcommand(name, |command| told(command, examples)),
-        };
+        program = at(program, name, examples);
     }
     program
 }
 
+/// Appends examples to the help of a command, named by the words that lead to it.
+fn at(command: Command, names: &str, examples: &[(&str, &str)]) -> Command {
+    match names.split_once(' ').unwrap_or((names, "")) {
+        ("", _) => told(command, examples),
+        (name, below) => command.mut_subcommand(name, |command| at(command, below, examples)),
+    }
+}
+
 fn told(command: Command, examples: &[(&str, &str)]) -> Command {
     let mut text = command.get_after_help().map(|help| format!("{help}\n\n")).unwrap_or_default();
-    text.push_str("Examples:");
+    text.push_str(HEADING);
     for (purpose, line) in examples {
-        text.push_str(&format!("\n  {purpose}:\n    {line}\n"));
+        let end = if purpose.ends_with('?') { "" } else { ":" };
+        text.push_str(&format!("\n  {purpose}{end}\n    {line}\n"));
     }
     command.after_long_help(text.trim_end().to_owned())
 }

@@ -1,12 +1,16 @@
 //! `mapd help`: the help of a command, or a topic that concerns several.
 
 mod examples;
+mod first;
 
 use crate::exit::{Exit, UsageError};
+use crate::similar::did_you_mean;
 use anyhow::Result;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Command};
 use std::io::Write;
+
+pub(crate) use examples::HEADING as EXAMPLES;
 
 /// Name of the command.
 pub(crate) const HELP: &str = "help";
@@ -45,14 +49,27 @@ impl HelpCommand {
         let mut command = &mut program;
         for name in self.about.iter().chain(&self.of) {
             let within = command.get_name().to_owned();
+            let meant = did_you_mean(name, command.get_subcommands().map(Command::get_name));
             let Some(found) = command.find_subcommand_mut(name) else {
-                return Err(UsageError(format!("{within} has no command {name}")).into());
+                return Err(UsageError(format!("{within} has no command {name}{meant}")).into());
             };
             command = found;
         }
         command.print_long_help()?;
         Ok(Exit::Done)
     }
+}
+
+/// Whether what ended the parsing is the program's short help, in place of which the first page is shown.
+pub(crate) fn is_first_page(error: &clap::Error, mut program: Command) -> bool {
+    let is_help = error.kind() == clap::error::ErrorKind::DisplayHelp;
+    is_help && error.render().ansi().to_string() == program.render_help().ansi().to_string()
+}
+
+/// The program with the first page as its help, at most so many columns wide.
+pub(crate) fn with_first_page(program: Command, most: usize) -> Command {
+    let page = first::page(&program, most);
+    program.override_help(page)
 }
 
 /// Completes the help: the words that `mapd help` takes, which shells complete and of which the nearest is suggested for another; and examples of each command.

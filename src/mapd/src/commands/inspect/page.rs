@@ -1,6 +1,7 @@
 //! What `mapd inspect` tells, as a page for people: what this map is, how large, where, and what it lacks.
 
 use super::facts::{FileFrameFacts, Inspection, MapFacts, QuarantinedFacts, TableFacts};
+use crate::rounded;
 use std::io::{Result, Write};
 
 /// Parts in quarantine that are told one by one.
@@ -34,8 +35,8 @@ pub(super) fn write(facts: &Inspection, tables: bool, out: &mut dyn Write) -> Re
         }
     }
     left_out(&facts.quarantined, out)?;
-    let size = decimal_size(facts.bytes as f64);
-    let density = decimal_size(map.bytes_per_road_km);
+    let size = rounded::bytes(facts.bytes as f64);
+    let density = rounded::bytes(map.bytes_per_road_km);
     writeln!(out, "archive       {size}, {density} per km of road; format {}", facts.format)?;
     for unknown in &facts.unknown {
         writeln!(out, "warning       {unknown}")?;
@@ -147,23 +148,4 @@ fn write_tables(tables: &[TableFacts], out: &mut dyn Write) -> Result<()> {
         )?;
     }
     Ok(())
-}
-
-/// Bytes with three digits, in units of 1000.
-fn decimal_size(bytes: f64) -> String {
-    let units = [(1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
-    match units.into_iter().find(|(unit, _)| bytes >= *unit) {
-        Some((unit, name)) => {
-            let value = bytes / unit;
-            let digits = if value < 10.0 {
-                2
-            } else if value < 100.0 {
-                1
-            } else {
-                0
-            };
-            format!("{value:.digits$} {name}")
-        }
-        None => format!("{bytes:.0} bytes"),
-    }
 }

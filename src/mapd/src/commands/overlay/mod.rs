@@ -135,6 +135,8 @@ impl OverlayCommand {
                 let report = self.ask(OverlayAction::List)?;
                 if how.json {
                     print(&as_json(&report, how.moment()), out)?;
+                } else if report.entries.is_empty() {
+                    writeln!(out, "{}: no entries", self.name)?;
                 } else {
                     for one in &report.entries {
                         line(one, how.moment(), out)?;
