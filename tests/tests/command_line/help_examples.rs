@@ -43,7 +43,8 @@ fn without(command: &clap::Command, names: &str, told: &[(String, String)]) -> V
 fn prepare(folder: &Path) {
     let town = std::fs::read(carried("town.xodr")).expect("a map");
     let home = folder.join(".local/share/bash-completion/completions");
-    for made in [&folder.join("maps"), &folder.join("bin"), &home] {
+    let fish = folder.join(".config/fish/completions");
+    for made in [&folder.join("maps"), &folder.join("bin"), &home, &fish, &folder.join(".zfunc")] {
         std::fs::create_dir_all(made).expect("a folder");
     }
     for map in ["town.xodr", "maps/north.xodr", "maps/south.xodr"] {

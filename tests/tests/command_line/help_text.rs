@@ -67,6 +67,7 @@ fn the_nearest_word_is_suggested() {
         check(args, 2, meant);
     }
     let town = mapd_tests::carried("town.xodr").display().to_string();
+    check(&["query", &town, "nearest"], 2, "needs the columns x,y or lat,lon, the input has none");
     check(&["query", &town, "nearest", "--types", "drivng"], 2, "did you mean \"driving\"?");
 }
 

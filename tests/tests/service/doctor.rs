@@ -246,6 +246,20 @@ fn configurations_are_read_as_the_daemon_reads_them() {
     }
 }
 
+/// Columns of `mapd status` stand below each other, however long a map's name is.
+#[test]
+fn status_is_aligned_and_rounded() {
+    let place = place();
+    let folder = tempfile::tempdir().expect("a folder");
+    let long = folder.path().join("a_map_with_a_name_of_some_length.xodr");
+    std::fs::copy(town(), &long).expect("copied");
+    let _daemon = place.serve(&[&town(), &long.display().to_string()]);
+    let output = place.command().arg("status").output().expect("runs");
+    let table = String::from_utf8_lossy(&output.stdout).into_owned();
+    let starts: Vec<_> = table.lines().map(|line| line.find(" 61.5 kB ")).collect();
+    assert!(starts.len() == 3 && starts[1].is_some() && starts[1] == starts[2], "{table}");
+}
+
 #[test]
 fn health_is_an_exit_code() {
     let place = place();

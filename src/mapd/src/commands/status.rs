@@ -17,6 +17,9 @@ use std::time::Duration;
 /// Longest wait for a daemon's own account: what everybody can see is told without it.
 const WAIT: Duration = Duration::from_secs(1);
 
+/// Least width of the column of names.
+const LEAST_NAME: usize = 20;
+
 /// A map: what everybody can see of it, and what its daemon says.
 #[derive(Serialize)]
 struct Status {
@@ -167,9 +170,11 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
         return Ok(maps);
     }
     let head = ("map", "generation", "size", "readers", "since", "content");
+    let lengths = maps.iter().map(|map| map.name.chars().count());
+    let width = lengths.max().unwrap_or(0).max(LEAST_NAME);
     writeln!(
         out,
-        "{:<20} {:>14} {:>12} {:>8} {:>10}  {}",
+        "{:<width$} {:>14} {:>12} {:>8} {:>10}  {}",
         head.0, head.1, head.2, head.3, head.4, head.5
     )?;
     for map in &maps {
@@ -182,7 +187,7 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
         let since = if map.alive { age(map.published_unix_ns) } else { "no daemon".to_owned() };
         writeln!(
             out,
-            "{:<20} {:>14} {:>12} {:>8} {:>10}  {content}",
+            "{:<width$} {:>14} {:>12} {:>8} {:>10}  {content}",
             map.name,
             number(map.generation),
             map.bytes.map_or_else(|| "-".to_owned(), size),

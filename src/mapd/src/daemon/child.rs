@@ -122,8 +122,13 @@ pub(crate) fn compile(
     }
 }
 
-/// The first error, and the verdict.
+/// The first error, and the verdict. Who says it is said by whoever passes it on.
 fn reason(said: &VecDeque<String>) -> String {
+    let text = first_and_last(said);
+    text.strip_prefix("mapd: ").map(str::to_owned).unwrap_or(text)
+}
+
+fn first_and_last(said: &VecDeque<String>) -> String {
     let first = said.iter().find(|line| line.contains(": error[")).or(said.front());
     let last = said.iter().rev().find(|line| !line.starts_with(' ') && !line.is_empty());
     match (first, last) {
@@ -165,7 +170,7 @@ mod tests {
             reason(&said(&lines)),
             "m.xodr: rejected, 1 errors; first: m.xodr:4:1: error[y]: bad"
         );
-        assert_eq!(reason(&said(&["mapd: opening m: not found"])), "mapd: opening m: not found");
+        assert_eq!(reason(&said(&["mapd: opening m: not found"])), "opening m: not found");
         assert!(!reason(&said(&[])).is_empty());
     }
 }

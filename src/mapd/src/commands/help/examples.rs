@@ -127,7 +127,11 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
     ("overlay clear", &[("As the map says, again", "mapd overlay town clear")]),
     (
         "completions",
-        &[("For bash", "mapd completions bash > ~/.local/share/bash-completion/completions/mapd")],
+        &[
+            ("For bash", "mapd completions bash > ~/.local/share/bash-completion/completions/mapd"),
+            ("For fish", "mapd completions fish > ~/.config/fish/completions/mapd.fish"),
+            ("For zsh, in a folder of $fpath", "mapd completions zsh > ~/.zfunc/_mapd"),
+        ],
     ),
     ("man", &[("Pages for this user", "mapd man ~/.local/share/man/man1")]),
     (

@@ -12,7 +12,9 @@ const MOST_LEFT_OUT: usize = 20;
 /// Errors: writing fails.
 pub(super) fn write(facts: &Inspection, tables: bool, out: &mut dyn Write) -> Result<()> {
     let map = &facts.map;
-    writeln!(out, "map           {:?}, OpenDRIVE {}", map.name, map.opendrive)?;
+    let name =
+        if map.name.is_empty() { "without a name".to_owned() } else { format!("{:?}", map.name) };
+    writeln!(out, "map           {name}, OpenDRIVE {}", map.opendrive)?;
     writeln!(out, "source        {}", facts.source)?;
     let km = map.road_length_m / 1000.0;
     writeln!(out, "roads         {}, {km:.3} km; {} junctions", map.roads, map.junctions)?;

@@ -114,7 +114,11 @@ pub fn run_under(
                 .map(|names| names.join(","))
                 .collect::<Vec<_>>()
                 .join(" or "),
-            found: headers.iter().collect::<Vec<_>>().join(","),
+            found: if headers.is_empty() {
+                "none".to_owned()
+            } else {
+                headers.iter().collect::<Vec<_>>().join(",")
+            },
         });
     }
     // Where the map has holes, answers about places say which concern them.

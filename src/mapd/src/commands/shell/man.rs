@@ -34,7 +34,8 @@ fn write_pages(command: &Command, folder: &Path) -> io::Result<()> {
     for below in command.get_subcommands().filter(|below| !below.is_hide_set()) {
         write_pages(below, folder)?;
     }
-    let man = Man::new(command.clone());
+    let version = concat!("mapd ", env!("CARGO_PKG_VERSION"));
+    let man = Man::new(command.clone()).source(version);
     let mut page = Vec::new();
     write(&man, command, &mut page)?;
     std::fs::write(folder.join(man.get_filename()), page)
