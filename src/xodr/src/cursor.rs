@@ -533,19 +533,24 @@ impl<'a> Cursor<'a> {
 impl Cursor<'_> {
     /// Reads a child that may stand once; of several the first is kept.
     pub(crate) fn put<T: Element>(&mut self, place: &mut Option<Box<T>>) {
-        let child = element::read(self);
+        let child = self.boxed();
         if place.is_none() {
-            *place = Some(Box::new(child));
+            *place = Some(child);
         }
     }
 
     /// Reads a child that may stand several times.
     pub(crate) fn push<T: Element>(&mut self, list: &mut Vec<T>) {
-        list.push(element::read(self));
+        list.push(T::default());
+        if let Some(child) = list.last_mut() {
+            element::read(child, self);
+        }
     }
 
     /// Reads an element that stands alone.
     pub(crate) fn boxed<T: Element>(&mut self) -> Box<T> {
-        Box::new(element::read(self))
+        let mut child = Box::<T>::default();
+        element::read(&mut *child, self);
+        child
     }
 }

@@ -21,9 +21,9 @@ pub(crate) trait Element: Default {
     fn child(&mut self, _slot: usize, _cursor: &mut Cursor<'_>) {}
 }
 
-/// Reads the element whose start tag the cursor has just read, up to its end.
-pub(crate) fn read<T: Element>(cursor: &mut Cursor<'_>) -> T {
-    let mut value = T::default();
+/// Reads the element whose start tag the cursor has just read, up to its end, into one that is empty: where it is to stay, for some are
+/// hundreds of bytes.
+pub(crate) fn read<T: Element>(value: &mut T, cursor: &mut Cursor<'_>) {
     let mut open = cursor.open(T::schema());
     value.begin(open.span);
     while let Some(slot) = cursor.next_attribute(&mut open) {
@@ -40,5 +40,4 @@ pub(crate) fn read<T: Element>(cursor: &mut Cursor<'_>) -> T {
     if T::schema().content.is_some() {
         value.content(cursor);
     }
-    value
 }

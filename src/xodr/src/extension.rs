@@ -67,9 +67,29 @@ pub struct ExtensionElement {
     pub attributes: Vec<(String, String)>,
 }
 
+/// A start tag without attributes.
+struct BareTag<'t> {
+    name: &'t str,
+    /// Where the text behind it begins; none where the tag ends its element, too.
+    inside: Option<usize>,
+}
+
 impl Extension {
+    /// The start tag, if it is nothing but a name, as most are: nobody needs to parse it.
+    fn bare_tag(&self) -> Option<BareTag<'_>> {
+        let tag = self.text.strip_prefix('<')?;
+        let end = tag.bytes().position(|byte| !byte.is_ascii_alphanumeric())?;
+        let (name, rest) = tag.split_at_checked(end)?;
+        let is_open = rest.starts_with('>');
+        let is_bare = !name.is_empty() && (is_open || rest.starts_with("/>"));
+        is_bare.then_some(BareTag { name, inside: is_open.then_some(end + 2) })
+    }
+
     /// The element itself; none where its text was not kept.
     pub fn element(&self) -> Option<ExtensionElement> {
+        if let Some(tag) = self.bare_tag() {
+            return Some(ExtensionElement { path: tag.name.to_owned(), attributes: Vec::new() });
+        }
         self.elements(1).pop()
     }
 
@@ -78,7 +98,9 @@ impl Extension {
         let mut xml = quick_xml::Reader::from_str(&self.text);
         let (mut path, mut out) = (Vec::new(), Vec::new());
         // The text was found well-formed when it was read: what follows a fault is nobody's.
-        while let Ok(event) = xml.read_event() {
+        while out.len() < most
+            && let Ok(event) = xml.read_event()
+        {
             let (tag, is_open) = match &event {
                 Event::Start(tag) => (tag, true),
                 Event::Empty(tag) => (tag, false),
@@ -89,9 +111,6 @@ impl Extension {
                 Event::Eof => break,
                 _ => continue,
             };
-            if out.len() == most {
-                break;
-            }
             path.push(tag.name().as_ref().to_owned());
             let attributes = tag.attributes().flatten().map(|attribute| {
                 let value = unescape(&attribute.value).unwrap_or_default().into_owned();
@@ -107,13 +126,23 @@ impl Extension {
 
     /// What stands between its start and its end tag, without the space around it.
     pub fn inner(&self) -> &str {
-        let mut xml = quick_xml::Reader::from_str(&self.text);
-        let start = match xml.read_event() {
-            Ok(Event::Start(_)) => usize::try_from(xml.buffer_position()).unwrap_or(usize::MAX),
-            _ => return "",
+        let start = match self.bare_tag() {
+            Some(tag) => tag.inside,
+            None => self.behind_tag(),
         };
+        let Some(start) = start else { return "" };
         let end = self.text.rfind("</").unwrap_or(0);
-        self.text.get(start..end).unwrap_or("").trim()
+        // Space is that of lines and indentation, which is told byte by byte, nearly always.
+        self.text.get(start..end).unwrap_or("").trim_ascii().trim()
+    }
+
+    /// Where the text behind the start tag begins; none where the tag ends its element, too.
+    fn behind_tag(&self) -> Option<usize> {
+        let mut xml = quick_xml::Reader::from_str(&self.text);
+        match xml.read_event() {
+            Ok(Event::Start(_)) => usize::try_from(xml.buffer_position()).ok(),
+            _ => None,
+        }
     }
 }
 
@@ -139,6 +168,14 @@ mod tests {
         let paths: Vec<_> = nested.elements(9).into_iter().map(|e| e.path).collect();
         assert_eq!(paths, ["userData", "userData/a", "userData/a/c"]);
         assert_eq!(nested.elements(2).len(), 2);
+        let bare = of("<userData>\n  <a/>\n \u{a0}</userData>");
+        assert_eq!(bare.inner(), "<a/>");
+        let due = ExtensionElement { path: "userData".to_owned(), attributes: Vec::new() };
+        for text in ["<userData/>", "<userData />", "<userData></userData>", "<userData >t</userData>"] {
+            assert_eq!(of(text).element().as_ref(), Some(&due), "{text}");
+            assert_eq!(of(text).inner(), if text.contains(">t<") { "t" } else { "" }, "{text}");
+        }
+        assert_eq!(of("<a:userData>t</a:userData>").inner(), "t");
         assert_eq!(of("").element(), None);
     }
 }

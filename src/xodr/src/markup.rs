@@ -1,6 +1,6 @@
 //! Pieces of markup: tags, comments, text.
 
-use crate::cursor::{Cursor, Markup, Name, RawAttribute, Scope, Tag, path_of};
+use crate::cursor::{Cursor, Markup, Name, OpenTag, RawAttribute, Scope, Tag, path_of};
 use crate::finding::{Severity, Span};
 use crate::rule_ids;
 use crate::same::{same, without_prefix};
@@ -203,6 +203,10 @@ impl Cursor<'_> {
     /// Reads an end tag.
     #[inline]
     fn end_tag(&mut self) -> Markup {
+        if let Some(length) = self.plain_end() {
+            self.window.take(length);
+            return Markup::End;
+        }
         let Some(end) = self.window.find(b'>', 2) else {
             self.truncated();
             return Markup::Over;
@@ -222,6 +226,18 @@ impl Cursor<'_> {
         }
         self.window.take(end + 1);
         Markup::End
+    }
+
+    /// The length of an end tag that is all there, has no prefix and no space, and ends the innermost element.
+    #[inline]
+    fn plain_end(&self) -> Option<usize> {
+        let Some(OpenTag { name: Name::Known(name), .. }) = self.frames.last() else { return None };
+        let ahead = self.window.ahead();
+        let end = name.len() + 2;
+        let ends = self.prefix.is_empty()
+            && ahead.get(end) == Some(&b'>')
+            && same(ahead.get(2..end)?, name.as_bytes());
+        ends.then_some(end + 1)
     }
 
     /// Whether an end tag with white space before its `>` fits.

@@ -222,16 +222,7 @@ impl<'a> Window<'a> {
     pub(crate) fn skip_space(&mut self) -> Option<u8> {
         loop {
             let rest = self.buffer.get(self.at..self.end).unwrap_or_default();
-            let mut count = 0;
-            // Indentation is eight spaces at a time.
-            while let Some(eight) = rest.get(count..count + 8) {
-                if eight != b"        " {
-                    break;
-                }
-                count += 8;
-            }
-            let space = |byte: &&u8| matches!(**byte, b' ' | b'\n' | b'\t' | b'\r');
-            count += rest.get(count..).unwrap_or_default().iter().take_while(space).count();
+            let count = space_len(rest);
             self.at += count;
             self.start = self.at;
             if let Some(byte) = rest.get(count) {
@@ -273,5 +264,43 @@ impl<'a> Window<'a> {
     /// Makes sure that `count` bytes from the token's start on are there, if the text has them.
     pub(crate) fn want(&mut self, count: usize) {
         while self.end - self.start < count && self.more() {}
+    }
+}
+
+/// Number of bytes of white space at the beginning: a line break and indentation for most tags.
+#[inline]
+fn space_len(text: &[u8]) -> usize {
+    let mut count = 0;
+    while let Some(byte @ (b' ' | b'\n' | b'\t' | b'\r')) = text.get(count).copied() {
+        count += 1;
+        // A run of one kind of space is passed over eight bytes at a time.
+        while let Some(eight) = text.get(count..).and_then(<[u8]>::first_chunk) {
+            let others = u64::from_le_bytes(*eight) ^ u64::from_le_bytes([byte; 8]);
+            if others != 0 {
+                count += others.trailing_zeros() as usize / 8;
+                break;
+            }
+            count += 8;
+        }
+    }
+    count
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn space_is_passed_over_up_to_the_first_other_byte() {
+        for head in ["", "\n", "\r\n", "\t\t\t", "\n\n\n\n\n\n\n\n\n\n"] {
+            for spaces in 0..40 {
+                for tail in ["", "<", "<road id", "\t", "\u{a0}         "] {
+                    let text = format!("{head}{}{tail}", " ".repeat(spaces));
+                    let is_space = |byte: &u8| b" \n\t\r".contains(byte);
+                    let due = text.bytes().take_while(is_space).count();
+                    assert_eq!(space_len(text.as_bytes()), due, "{text:?}");
+                }
+            }
+        }
     }
 }

@@ -106,30 +106,22 @@ impl LineIndex {
         let Some(checkpoint) = self.checkpoints.get(after.saturating_sub(1)) else {
             return at(0, 0);
         };
-        let (mut start, mut place) = (checkpoint.start, checkpoint.place as usize);
-        let mut line = checkpoint.line as usize;
-        while let Some((length, next)) = self.length_at(place) {
+        let (mut start, mut line) = (checkpoint.start, checkpoint.line as usize);
+        let (mut length, mut shift) = (0, 0);
+        for byte in self.lengths.get(checkpoint.place as usize..).unwrap_or_default() {
+            length |= u64::from(byte & !MORE) << shift;
+            shift += BITS;
+            if *byte >= MORE {
+                continue;
+            }
             if offset < start + length {
                 break;
             }
-            (start, place) = (start + length, next);
+            start += length;
             line += 1;
+            (length, shift) = (0, 0);
         }
         at(line, start)
-    }
-
-    /// The length that is stored at `place`, and the place of the next one.
-    fn length_at(&self, mut place: usize) -> Option<(u64, usize)> {
-        let (mut length, mut shift) = (0, 0);
-        loop {
-            let byte = *self.lengths.get(place)?;
-            length |= u64::from(byte & !MORE) << shift;
-            place += 1;
-            shift += BITS;
-            if byte < MORE {
-                return Some((length, place));
-            }
-        }
     }
 }
 

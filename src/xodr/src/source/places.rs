@@ -4,6 +4,7 @@ use super::line_index::{LineIndex, Position};
 use std::collections::BTreeSet;
 use std::fmt;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Bits of a start that hold the offset in a file: 256 TiB. The file's number stands above them.
@@ -75,7 +76,13 @@ impl File {
 /// assert_eq!(inputs.places().place(4).to_string(), "tiny.xodr:2:1");
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct Places(Arc<Mutex<Vec<File>>>, Arc<Mutex<BTreeSet<PathBuf>>>);
+pub struct Places {
+    files: Arc<Mutex<Vec<File>>>,
+    /// Files that were to be included and cannot be read.
+    missing: Arc<Mutex<BTreeSet<PathBuf>>>,
+    /// Whether some text comes from a patch: then the files know from where.
+    has_pieces: Arc<AtomicBool>,
+}
 
 impl Places {
     /// The number of the file that a start lies in; 0 is the main file.
@@ -111,7 +118,13 @@ impl Places {
 
     /// The number of the file in which what is at a start is written: that of its text, or of a patch in it.
     pub fn file_at(&self, start: u64) -> u16 {
-        let (files, number) = (self.lock(), Self::file_of(start));
+        let number = Self::file_of(start);
+        // Asked for each element, by all threads: nothing is locked unless there is a patch, whose pieces are known before the
+        // text that they are about is handed out.
+        if !self.has_pieces.load(Ordering::Acquire) {
+            return number;
+        }
+        let files = self.lock();
         let file = files.get(usize::from(number));
         file.and_then(|file| file.piece(Self::offset_of(start))).map_or(number, |own| own.file)
     }
@@ -138,12 +151,12 @@ impl Places {
 
     /// Files that were to be included and cannot be read, by name.
     pub fn missing(&self) -> Vec<PathBuf> {
-        self.1.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
+        self.missing.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
     }
 
     /// Notes that a file cannot be read. No more are noted than there can be files.
     pub(super) fn add_missing(&self, path: PathBuf) {
-        let mut missing = self.1.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut missing = self.missing.lock().unwrap_or_else(PoisonError::into_inner);
         if missing.len() < usize::from(u16::MAX) {
             missing.insert(path);
         }
@@ -163,6 +176,7 @@ impl Places {
     pub(crate) fn piece(&self, start: u64, file: u16, at: Position) {
         if let Some(main) = self.lock().first_mut() {
             main.pieces.push(SourcePiece { start, file, at });
+            self.has_pieces.store(true, Ordering::Release);
         }
     }
 
@@ -175,6 +189,6 @@ impl Places {
 
     /// Nothing here can be left half done, so a panic elsewhere while it was held is no reason to stop.
     fn lock(&self) -> MutexGuard<'_, Vec<File>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.files.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

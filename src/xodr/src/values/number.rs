@@ -14,9 +14,37 @@ use super::{Lexical, Quirk, trimmed};
 /// ```
 #[inline]
 pub fn double(raw: &[u8]) -> Lexical<f64> {
+    if is_plain_zero(raw) {
+        return Lexical::clean(0.0);
+    }
     match fast_float2::parse(raw) {
         Ok(value) if f64::is_finite(value) => Lexical::clean(value),
         _ => unusual(raw),
+    }
+}
+
+/// Zero with as many digits and as much of an exponent as exporters write: what half of the numbers of many maps are.
+const ZERO: &[u8; 22] = b"0.0000000000000000e+00";
+/// How long its beginning is without an exponent, and with one.
+const DIGITS: usize = 18;
+const EXPONENT: [usize; 2] = [21, 22];
+
+/// Whether a text is [`ZERO`], or a beginning of it that is a number.
+#[inline]
+fn is_plain_zero(raw: &[u8]) -> bool {
+    let len = raw.len();
+    if raw.first() != Some(&b'0') || len > DIGITS && !EXPONENT.contains(&len) {
+        return false;
+    }
+    let Some(due) = ZERO.get(..len) else { return false };
+    match (raw.first_chunk::<8>(), raw.last_chunk::<8>()) {
+        // Eight bytes at a time; the last ones overlap those before.
+        (Some(first), Some(last)) => {
+            Some(first) == due.first_chunk()
+                && Some(last) == due.last_chunk()
+                && (len <= 16 || raw.get(8..16) == due.get(8..16))
+        }
+        _ => raw.iter().zip(due).all(|(byte, due)| byte == due),
     }
 }
 

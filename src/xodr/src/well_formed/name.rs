@@ -3,6 +3,7 @@
 /// Bits of [`CLASS`].
 const START: u8 = 1;
 const REST: u8 = 2;
+const WIDE: u8 = 4;
 
 /// What each byte may be in a name. Bytes of characters beyond ASCII may be anything here; `is_name` looks at them.
 const CLASS: [u8; 256] = {
@@ -10,7 +11,8 @@ const CLASS: [u8; 256] = {
     let mut byte = 0;
     while byte < 256 {
         class[byte] = match byte as u8 {
-            b'A'..=b'Z' | b'a'..=b'z' | b'_' | b':' | 0x80.. => START | REST,
+            b'A'..=b'Z' | b'a'..=b'z' | b'_' | b':' => START | REST,
+            0x80.. => START | REST | WIDE,
             b'0'..=b'9' | b'-' | b'.' => REST,
             _ => 0,
         };
@@ -19,18 +21,36 @@ const CLASS: [u8; 256] = {
     class
 };
 
-/// Number of bytes at the beginning that may belong to a name.
+/// What a text begins with, as far as it may belong to a name.
+pub(super) struct Head {
+    /// Its bytes.
+    pub(super) len: usize,
+    /// Whether they are a name.
+    pub(super) is_name: bool,
+}
+
+/// The beginning of a text that may belong to a name, looked at once.
 #[inline]
-pub(super) fn name_len(text: &[u8]) -> usize {
-    text.iter().position(|byte| CLASS[usize::from(*byte)] & REST == 0).unwrap_or(text.len())
+pub(super) fn head(text: &[u8]) -> Head {
+    let (mut len, mut classes) = (0, 0);
+    for byte in text {
+        let class = CLASS[usize::from(*byte)];
+        if class & REST == 0 {
+            break;
+        }
+        classes |= class;
+        len += 1;
+    }
+    let starts = text.first().is_some_and(|first| CLASS[usize::from(*first)] & START != 0);
+    let is_name = starts && (classes & WIDE == 0 || is_wide_name(&text[..len]));
+    Head { len, is_name }
 }
 
 /// Whether a text is a name.
 #[inline]
 pub fn is_name(text: &[u8]) -> bool {
-    let Some(first) = text.first() else { return false };
-    let in_class = CLASS[usize::from(*first)] & START != 0 && name_len(text) == text.len();
-    in_class && (text.is_ascii() || is_wide_name(text))
+    let head = head(text);
+    head.is_name && head.len == text.len()
 }
 
 #[cold]

@@ -1,7 +1,7 @@
 //! The order of a document's parts: declaration, document type, one root. (XML 1.0, 2.1 and 2.8)
 
 use super::fault::{Fault, Faults};
-use super::name::{is_name, name_len};
+use super::name::{head, is_name};
 
 /// Which part of a document the reading is in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -87,7 +87,7 @@ impl Structure {
         self.has_doctype = true;
         let behind = markup.strip_prefix(b"<!DOCTYPE").unwrap_or_default();
         let name = behind.trim_ascii_start();
-        let name = &name[..name_len(name)];
+        let name = &name[..head(name).len];
         let is_spaced = behind.first().is_some_and(u8::is_ascii_whitespace);
         let fault = if !is_spaced || !is_name(name) {
             Fault::UnknownMarkup

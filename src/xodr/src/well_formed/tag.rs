@@ -1,7 +1,7 @@
 //! The attributes of one tag.
 
 use super::fault::{Fault, Faults};
-use super::name::{is_name, name_len};
+use super::name::head;
 use super::text::references;
 use std::collections::HashSet;
 
@@ -51,9 +51,13 @@ impl<'t> Attributes<'t> {
     /// Begins with the element's name. `base` is the offset of the content in the document: one more than that of `<`.
     #[inline]
     pub fn new(content: &'t [u8], base: u64, faults: &mut Faults) -> Self {
-        let name = content.iter().position(|byte| is_space(*byte)).unwrap_or(content.len());
-        if !is_name(&content[..name]) {
+        let head = head(content);
+        let mut name = head.len;
+        let ends = content.get(name).is_none_or(|byte| is_space(*byte));
+        if !head.is_name || !ends {
             faults.add(base, Fault::Name);
+            let rest = &content[name..];
+            name += rest.iter().position(|byte| is_space(*byte)).unwrap_or(rest.len());
         }
         Self { content, name, place: name, base }
     }
@@ -74,9 +78,10 @@ impl<'t> Attributes<'t> {
                 self.place += 1;
             }
             let name_at = self.place;
-            let name = &content[name_at..name_at + name_len(&content[name_at..])];
-            let mut place = name_at + name.len();
-            if !is_name(name) {
+            let head = head(&content[name_at..]);
+            let mut place = name_at + head.len;
+            let name = &content[name_at..place];
+            if !head.is_name {
                 faults.add(self.base + name_at as u64, Fault::Name);
                 if name.is_empty() {
                     self.skip_word();
@@ -124,7 +129,7 @@ impl<'t> Attributes<'t> {
     #[inline]
     fn value(&self, value_at: usize, quote: u8, faults: &mut Faults) -> &'t [u8] {
         let rest = &self.content[value_at..];
-        match memchr::memchr3(quote, b'<', b'&', rest) {
+        match value_end(quote, rest) {
             Some(end) if rest[end] == quote => &rest[..end],
             _ => self.unusual_value(value_at, quote, faults),
         }
@@ -160,6 +165,42 @@ impl<'t> Attributes<'t> {
     }
 }
 
+/// Words of eight bytes in which the end of a value is looked for here: most are that short, and a call costs as much.
+const WORDS: usize = 4;
+
+/// Where the first of a quote, `<` and `&` stands.
+#[inline]
+fn value_end(quote: u8, text: &[u8]) -> Option<usize> {
+    if quote == b'"' {
+        for (number, eight) in text.as_chunks().0.iter().take(WORDS).enumerate() {
+            if let Some(at) = first_special(*eight) {
+                return Some(8 * number + at);
+            }
+        }
+        if text.len() < 8 {
+            return text.iter().position(|byte| matches!(byte, b'"' | b'<' | b'&'));
+        }
+        // Of the last eight bytes, those that were looked at already are none of them.
+        if let Some(last) = text.last_chunk().filter(|_| text.len() < 8 * (WORDS + 1)) {
+            return first_special(*last).map(|at| text.len() - 8 + at);
+        }
+    }
+    memchr::memchr3(quote, b'<', b'&', text)
+}
+
+/// The first `"`, `<` or `&` of eight bytes.
+#[inline]
+fn first_special(bytes: [u8; 8]) -> Option<usize> {
+    const ONES: u64 = u64::from_le_bytes([1; 8]);
+    let word = u64::from_le_bytes(bytes);
+    // `"` and `&` differ in one bit. Of bytes that are zero, the lowest is told for certain.
+    let quotes = (word & (ONES * 0xfb)) ^ (ONES * u64::from(b'"'));
+    let less = word ^ (ONES * u64::from(b'<'));
+    let zeros = (quotes.wrapping_sub(ONES) & !quotes) | (less.wrapping_sub(ONES) & !less);
+    let zeros = zeros & (ONES * 0x80);
+    (zeros != 0).then(|| zeros.trailing_zeros() as usize / 8)
+}
+
 /// Attributes that are compared pair by pair; beyond them a hash set is faster.
 const PAIRS: usize = 16;
 
@@ -178,6 +219,38 @@ pub fn duplicates(names: &[(&[u8], u64)], faults: &mut Faults) {
     for (name, start) in names {
         if !seen.insert(*name) {
             faults.add(*start, Fault::Duplicate);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_end_of_a_value_is_the_first_byte_that_cannot_be_in_it() {
+        let plain: Vec<u8> = (0..=u8::MAX).filter(|byte| !b"\"'<&".contains(byte)).collect();
+        for length in 0..60 {
+            let text: Vec<u8> = plain.iter().cycle().skip(length * 7).take(length).copied().collect();
+            for quote in *b"\"'" {
+                assert_eq!(value_end(quote, &text), None, "{length}");
+                for at in 0..length {
+                    for special in [quote, b'<', b'&'] {
+                        let mut text = text.clone();
+                        text[at] = special;
+                        text[length - 1] = special;
+                        assert_eq!(value_end(quote, &text), Some(at), "{length}, {at}, {special}");
+                    }
+                    let mut text = text.clone();
+                    text[at] = b'"' + b'\'' - quote;
+                    assert_eq!(value_end(quote, &text), None, "{length}, {at}");
+                }
+            }
+        }
+        for byte in 0..=u8::MAX {
+            let at = b"\"<&".contains(&byte).then_some(3);
+            let bytes = [b'1', b'.', b'#', byte, b'=', b'%', b'!', b';'];
+            assert_eq!(first_special(bytes), at, "{byte}");
         }
     }
 }

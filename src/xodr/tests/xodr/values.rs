@@ -172,6 +172,27 @@ fn doubles_are_rounded_correctly() {
 
 /// Whatever the bytes are, there is a value or a quirk, and values are finite.
 #[test]
+fn zeros_are_those_of_the_standard_library() {
+    let zero = "0.0000000000000000e+00";
+    for length in 0..=zero.len() {
+        for at in 0..length {
+            for other in "019.e+-x".chars() {
+                let mut raw = zero[..length].to_owned();
+                raw.replace_range(at..=at, other.encode_utf8(&mut [0; 4]));
+                let read = double(raw.as_bytes());
+                match raw.parse::<f64>() {
+                    Ok(due) => {
+                        assert_eq!(read.value.map(f64::to_bits), Some(due.to_bits()), "{raw}");
+                        assert_eq!(read.quirk, None, "{raw}");
+                    }
+                    Err(_) => assert!(read.quirk.is_some(), "{raw}"),
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn any_bytes_are_read() {
     let mut random = Random(7);
     let alphabet = b"0123456789+-.,eEdDijxINFanf()#& \t;\xff\xc3";
