@@ -186,6 +186,11 @@ impl Piece {
     pub fn at(&self, u: f64) -> Option<CurvePoint> {
         Some(self.curve()?.evaluate(u))
     }
+
+    /// The curvature there `[1/m]`, the same bits as in [`Piece::at`].
+    pub(crate) fn curvature(&self, u: f64) -> Option<f64> {
+        Some(self.curve()?.curvature(u))
+    }
 }
 
 /// The geometries of a road or junction, in file order.
@@ -225,9 +230,20 @@ impl ReferenceLine {
 
     /// The point at `s` `[m]`, kept within the piece that begins last before it. None where there is no piece.
     pub fn at(&self, s: f64) -> Option<CurvePoint> {
-        let after = self.pieces.partition_point(|piece| piece.s <= s);
-        let piece = self.pieces.get(after.saturating_sub(1))?;
+        let piece = self.piece_at(s)?;
         piece.at(s - piece.s)
+    }
+
+    /// The curvature there `[1/m]`, the same bits as in [`ReferenceLine::at`].
+    pub(crate) fn curvature_at(&self, s: f64) -> Option<f64> {
+        let piece = self.piece_at(s)?;
+        piece.curvature(s - piece.s)
+    }
+
+    /// The piece that begins last before `s` `[m]`, else the first.
+    fn piece_at(&self, s: f64) -> Option<&Piece> {
+        let after = self.pieces.partition_point(|piece| piece.s <= s);
+        self.pieces.get(after.saturating_sub(1))
     }
 
     /// Where the last piece ends `[m]`.

@@ -63,18 +63,27 @@ pub(crate) fn width_at(lane: &Lane, ds: f64) -> Option<f64> {
 
 /// The borders of a side at a distance from the section's start: (id, inner t, outer t) from the center outwards.
 pub(crate) fn borders_at(section: &SectionIn<'_>, side: Side, ds: f64) -> Vec<(i32, f64, f64)> {
+    borders_of(section, &section.outwards(side), side, ds).collect()
+}
+
+/// As [`borders_at`], of the side's lanes from the center outwards: for those who ask at many places.
+pub(crate) fn borders_of(
+    section: &SectionIn<'_>,
+    lanes: &[&Lane],
+    side: Side,
+    ds: f64,
+) -> impl Iterator<Item = (i32, f64, f64)> {
     let sign = if side == Side::Left { 1.0 } else { -1.0 };
     let mut inner = lane_offset_at(section, section.s() + ds);
-    let mut borders = Vec::new();
-    for lane in section.outwards(side) {
+    lanes.iter().map(move |lane| {
         let outer = match width_at(lane, ds) {
             Some(width) => inner + sign * width,
             None => value_at(&lane.border, ds),
         };
-        borders.push((lane.id.map_or(0, |id| id.value), inner, outer));
+        let border = (lane.id.map_or(0, |id| id.value), inner, outer);
         inner = outer;
-    }
-    borders
+        border
+    })
 }
 
 /// t of the outermost border of a side at a distance from the section's start; of lane 0 where the side has no lanes.

@@ -171,7 +171,9 @@ mod tests {
         let bare = of("<userData>\n  <a/>\n \u{a0}</userData>");
         assert_eq!(bare.inner(), "<a/>");
         let due = ExtensionElement { path: "userData".to_owned(), attributes: Vec::new() };
-        for text in ["<userData/>", "<userData />", "<userData></userData>", "<userData >t</userData>"] {
+        for text in
+            ["<userData/>", "<userData />", "<userData></userData>", "<userData >t</userData>"]
+        {
             assert_eq!(of(text).element().as_ref(), Some(&due), "{text}");
             assert_eq!(of(text).inner(), if text.contains(">t<") { "t" } else { "" }, "{text}");
         }

@@ -44,7 +44,7 @@ impl Cursor<'_> {
     #[cold]
     pub(crate) fn other_child(&mut self, open: &mut Open) -> Option<Extension> {
         let span = self.tag.span;
-        let full = self.bytes((1, 1 + self.tag.name as u32)).to_vec();
+        let full = self.bytes((1, 1 + self.tag.name as u32));
         let local = full.strip_prefix(self.prefix.as_slice()).filter(|name| !name.contains(&b':'));
         let foreign = local.is_none() || (self.tag.declares && self.is_redeclared());
         let known = match local {
@@ -85,7 +85,8 @@ impl Cursor<'_> {
             }
             None => {
                 if !foreign && !open.schema.any {
-                    let name = String::from_utf8_lossy(&full).into_owned();
+                    let full = self.bytes((1, 1 + self.tag.name as u32));
+                    let name = String::from_utf8_lossy(full).into_owned();
                     let message = format!(
                         "expected no element {name}, which the standard does not have here, found it; kept as text"
                     );
@@ -177,9 +178,9 @@ impl Cursor<'_> {
             self.check_names();
             if !self.tag.empty {
                 let at = self.names.len();
-                let name = self.bytes((1, 1 + self.tag.name as u32)).to_vec();
-                self.names.extend_from_slice(&name);
-                self.push_frame(Name::Other(at, name.len()), at);
+                let name = self.window.token().get(1..1 + self.tag.name).unwrap_or_default();
+                self.names.extend_from_slice(name);
+                self.push_frame(Name::Other(at, self.tag.name), at);
                 if self.names.len() > self.limits.tag_bytes {
                     let most = self.limits.tag_bytes;
                     let message = format!(

@@ -10,40 +10,47 @@ pub(crate) struct Styles {
     known: HashMap<Vec<u8>, u32>,
     /// First rows of sequences of marks, by what they hold.
     sequences: HashMap<Vec<(u64, u32)>, u32>,
+    /// Room for what is looked up: nearly all of it is there already.
+    style: Vec<u8>,
+    sequence: Vec<(u64, u32)>,
 }
 
 impl Styles {
     /// First row of a sequence of marks, which is written if it is a new one.
     pub(crate) fn sequence(&mut self, rows: &mut Rows, marks: &[(f64, u32)]) -> u32 {
         let Some((last, others)) = marks.split_last() else { return NONE };
-        let key: Vec<_> = marks.iter().map(|(s, style)| (s.to_bits(), *style)).collect();
-        *self.sequences.entry(key).or_insert_with(|| {
-            let first = rows.road_marks.len() as u32;
-            let row = |(s_offset, style): &(f64, u32), last| RoadMarkRow {
-                s_offset: *s_offset,
-                style: *style,
-                last,
-                reserved: [0; 3],
-            };
-            rows.road_marks.extend(others.iter().map(|mark| row(mark, 0)));
-            rows.road_marks.push(row(last, 1));
-            first
-        })
+        self.sequence.clear();
+        self.sequence.extend(marks.iter().map(|(s, style)| (s.to_bits(), *style)));
+        if let Some(known) = self.sequences.get(&self.sequence) {
+            return *known;
+        }
+        let first = rows.road_marks.len() as u32;
+        let row = |(s_offset, style): &(f64, u32), last| RoadMarkRow {
+            s_offset: *s_offset,
+            style: *style,
+            last,
+            reserved: [0; 3],
+        };
+        rows.road_marks.extend(others.iter().map(|mark| row(mark, 0)));
+        rows.road_marks.push(row(last, 1));
+        self.sequences.insert(self.sequence.clone(), first);
+        first
     }
 
     /// Row of a style whose lines have just been appended from `lines` on: an equal one that is there already takes its
     /// place.
     pub(crate) fn add(&mut self, rows: &mut Rows, style: RoadMarkStyleRow, lines: usize) -> u32 {
-        let mut key = bytemuck::bytes_of(&style).to_vec();
-        key.extend_from_slice(bytemuck::cast_slice(&rows.road_mark_lines[lines..]));
-        if let Some(known) = self.known.get(&key) {
+        self.style.clear();
+        self.style.extend_from_slice(bytemuck::bytes_of(&style));
+        self.style.extend_from_slice(bytemuck::cast_slice(&rows.road_mark_lines[lines..]));
+        if let Some(known) = self.known.get(&self.style) {
             rows.road_mark_lines.truncate(lines);
             return *known;
         }
         let number = rows.road_mark_styles.len() as u32;
         let lines = between(lines, rows.road_mark_lines.len());
         rows.road_mark_styles.push(RoadMarkStyleRow { lines, ..style });
-        self.known.insert(key, number);
+        self.known.insert(self.style.clone(), number);
         number
     }
 }

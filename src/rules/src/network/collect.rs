@@ -8,7 +8,7 @@ use super::references::{Kinds, NamedAt, Reference, ReferencePlace};
 use super::{NONE, Name, Network};
 use crate::line::ReferenceLine;
 use crate::place::{SectionIn, Side, is_left_hand, junction_of, number, text, value};
-use crate::profile::borders_at;
+use crate::profile::borders_of;
 use mapd_xodr::{
     Attribute, ContactPoint, ElementType, Item, LaneDirection, LaneType, LayerType, LinkedElement,
     Objects, Road, Span,
@@ -218,8 +218,9 @@ impl Network {
             let sides = [Side::Left, Side::Right];
             let mut inner: [Vec<_>; 2] = [Vec::new(), Vec::new()];
             for side in sides {
+                let lanes = section.outwards(side);
                 for (at, ds) in [(0, 0.0), (1, section.length_of(side))] {
-                    inner[at].extend(borders_at(&section, side, ds));
+                    inner[at].extend(borders_of(&section, &lanes, side, ds));
                 }
             }
             for borders in &mut inner {

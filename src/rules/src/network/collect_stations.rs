@@ -153,8 +153,8 @@ fn places(line: &ReferenceLine, sections: &[SectionIn<'_>], end: f64) -> Vec<f64
         let mut s = piece.s;
         while s < until && places.len() < STATIONS_OF_A_ROAD {
             places.push(s);
-            let bend = piece.at(s - piece.s).map_or(0.0, |p| p.curvature.abs());
-            let ahead = piece.at(s - piece.s + STATION_STEP_MIN).map_or(0.0, |p| p.curvature.abs());
+            let bend = |u: f64| piece.curvature(u).map_or(0.0, f64::abs);
+            let (bend, ahead) = (bend(s - piece.s), bend(s - piece.s + STATION_STEP_MIN));
             let step = (8.0 * CHORD_ERROR / bend.max(ahead)).sqrt().min(STATION_STEP);
             s += step.max(STATION_STEP_MIN).max(piece.length / STATIONS_OF_A_GEOMETRY);
         }

@@ -231,7 +231,8 @@ mod tests {
     fn the_end_of_a_value_is_the_first_byte_that_cannot_be_in_it() {
         let plain: Vec<u8> = (0..=u8::MAX).filter(|byte| !b"\"'<&".contains(byte)).collect();
         for length in 0..60 {
-            let text: Vec<u8> = plain.iter().cycle().skip(length * 7).take(length).copied().collect();
+            let text: Vec<u8> =
+                plain.iter().cycle().skip(length * 7).take(length).copied().collect();
             for quote in *b"\"'" {
                 assert_eq!(value_end(quote, &text), None, "{length}");
                 for at in 0..length {

@@ -2,7 +2,7 @@
 
 use crate::example::Example::Document;
 use crate::place::{RoadIn, SectionIn, Side, lane_part, number};
-use crate::profile::{borders_at, superelevation_at};
+use crate::profile::{borders_of, superelevation_at};
 use crate::rule::Check::Road;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
@@ -91,15 +91,16 @@ fn look<'a>(
 ) {
     let length = section.length_of(side);
     let count = mapd_geometry::clamp((length / step).ceil(), 1.0, PLACES) as u32;
+    let lanes = section.outwards(side);
     for place in 0..=count {
         let ds = length * f64::from(place) / f64::from(count);
         let s = section.s() + ds;
-        let Some(curvature) = of.line.at(s).map(|point| point.curvature) else { return };
+        let Some(curvature) = of.line.curvature_at(s) else { return };
         if curvature.abs() < GENTLE.value {
             continue;
         }
         let roll = mapd_geometry::cos_sin(superelevation_at(of.road, s)).0;
-        for (id, inner, outer) in borders_at(section, side, ds) {
+        for (id, inner, outer) in borders_of(section, &lanes, side, ds) {
             let t = 0.5 * (inner + outer);
             let along = 1.0 - curvature * t * roll;
             if along < -FOLD.value && worst.get(&id).is_none_or(|fold| along < fold.along) {

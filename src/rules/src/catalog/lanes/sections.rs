@@ -109,13 +109,11 @@ fn boundaries(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
     let lengths = both.map(|side| (side, of.length_of(side)));
     let lanes = lengths.flat_map(|(side, length)| of.side(side).iter().map(move |l| (l, length)));
     for (lane, length) in lanes {
-        let lists = [
-            lane.width.iter().map(|e| (&e.s_offset, e.span)).collect::<Vec<_>>(),
-            lane.border.iter().map(|e| (&e.s_offset, e.span)).collect(),
-            lane.road_mark.iter().map(|e| (&e.s_offset, e.span)).collect(),
-            lane.speed.iter().map(|e| (&e.s_offset, e.span)).collect(),
-        ];
-        for (s_offset, span) in lists.into_iter().flatten() {
+        let widths = lane.width.iter().map(|e| (&e.s_offset, e.span));
+        let borders = lane.border.iter().map(|e| (&e.s_offset, e.span));
+        let marks = lane.road_mark.iter().map(|e| (&e.s_offset, e.span));
+        let speeds = lane.speed.iter().map(|e| (&e.s_offset, e.span));
+        for (s_offset, span) in widths.chain(borders).chain(marks).chain(speeds) {
             let s_offset = number(s_offset);
             if s_offset > length + ROUNDING.value {
                 let expected = format_args!("sOffset within the section's {length} m");
