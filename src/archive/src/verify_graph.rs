@@ -113,6 +113,10 @@ fn entries<'a>(offsets: &[u32], targets: &'a [u32], node: usize) -> &'a [u32] {
 
 /// Backward rows are the forward ones turned round.
 fn mirror(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    if is_mirrored(tables) {
+        return Ok(());
+    }
+    // Only what is wrong is worth sorting all edges, to name the first one.
     let all = |offsets: &[u32], targets: &[u32], turned: bool| {
         let mut edges: Vec<(u32, u32)> = Vec::with_capacity(targets.len());
         for node in 0..tables.lane_nodes.len() {
@@ -137,6 +141,38 @@ fn mirror(tables: &Tables<'_>) -> Result<(), VerifyError> {
             )
         }
     }
+}
+
+/// Whether each node's predecessors are the nodes that it succeeds.
+fn is_mirrored(tables: &Tables<'_>) -> bool {
+    let nodes = tables.lane_nodes.len();
+    let (offsets, backward) = (tables.predecessor_offsets, tables.predecessors);
+    if backward.len() != tables.successors.len() {
+        return false;
+    }
+    // Forward edges put where backward ones are: those of one node come in ascending order.
+    let (mut turned, mut next) = (vec![NONE; backward.len()], offsets.to_vec());
+    for from in 0..nodes {
+        for to in entries(tables.successor_offsets, tables.successors, from) {
+            let to = *to as usize;
+            let (Some(place), Some(end)) = (next.get_mut(to), offsets.get(to + 1)) else {
+                return false;
+            };
+            if *place >= *end {
+                return false;
+            }
+            let Some(own) = turned.get_mut(*place as usize) else { return false };
+            *own = from as u32;
+            *place += 1;
+        }
+    }
+    let mut own = Vec::new();
+    (0..nodes).all(|node| {
+        own.clear();
+        own.extend_from_slice(entries(offsets, backward, node));
+        own.sort_unstable();
+        own == entries(offsets, &turned, node)
+    })
 }
 
 /// No edge leads to a component with a lower number.

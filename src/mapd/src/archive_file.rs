@@ -2,9 +2,11 @@
 
 use crate::draft::Draft;
 use anyhow::{Context, Result};
+use mapd_archive::proving::{verify_hash, verify_tables};
 use mapd_archive::{Header, Provenance, Rows, encode_to, encoded_length};
 use mapd_client::Snapshot;
 use rustix::fs::FallocateFlags;
+use std::borrow::Borrow;
 use std::fs::{File, OpenOptions};
 use std::path::Path;
 
@@ -38,10 +40,16 @@ pub fn write(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header
 ///
 /// Errors: the folder cannot be written, or the disk is full; the archive is not sound, which is this program's fault; nothing
 /// is left behind.
-pub(crate) fn prepare(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<UnnamedArchive> {
+pub(crate) fn prepare(
+    path: &Path,
+    rows: impl Borrow<Rows>,
+    provenance: &Provenance,
+) -> Result<UnnamedArchive> {
     let context = || format!("writing {}", path.display());
     let draft = Draft::begin(path).with_context(context)?;
-    let header = fill(draft.file(), rows, provenance).with_context(context)?;
+    let header = fill(draft.file(), rows.borrow(), provenance).with_context(context)?;
+    // If they are this function's, they go before the archive is mapped: it is as large as they are.
+    drop(rows);
     prove(draft.path()).with_context(context)?;
     draft.file().sync_data().with_context(context)?;
     Ok(UnnamedArchive { draft, header })
@@ -51,7 +59,14 @@ pub(crate) fn prepare(path: &Path, rows: &Rows, provenance: &Provenance) -> Resu
 ///
 /// Errors: the first thing that is wrong.
 fn prove(path: &Path) -> Result<()> {
-    let proof = || -> Result<()> { Ok(Snapshot::open(path)?.verify()?) };
+    let proof = || -> Result<()> {
+        let archive = Snapshot::open(path)?;
+        let bytes = archive.bytes();
+        let (hash, tables) = rayon::join(|| verify_hash(bytes), || verify_tables(bytes));
+        hash?;
+        tables?;
+        Ok(())
+    };
     proof().context("the archive compiled from this map fails verification: a bug in mapd")
 }
 

@@ -71,6 +71,7 @@ pub mod compiling {
     pub use crate::cross_section::SectionCutter;
     pub use crate::graph::{extremes_of_joined, is_first_joined};
     pub use crate::index::{SegmentHit, nearest_segment};
+    pub use crate::lane_length::Measures;
     pub use crate::rules::entry_sign::EntrySign;
     pub use crate::rules::speed_signs::{SpeedSigns, Zone, is_of_speed};
 }

@@ -17,6 +17,30 @@ pub fn travel_speed(limit: f64) -> f64 {
     mapd_geometry::clamp(limit, LOWEST_SPEED, UNLIMITED_SPEED)
 }
 
+/// What travelling along a lane between two places takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measures {
+    /// As [`Lane::length_between`] has it `[m]`.
+    pub length: f64,
+    /// As [`Lane::time_between`] has it `[s]`.
+    pub time: f64,
+}
+
+impl Measures {
+    /// Both between two places of a lane: where one speed holds all along, the length is integrated once.
+    pub fn between(lane: &Lane<'_>, a: f64, b: f64) -> Self {
+        let whole = lane.length_between(a, b);
+        let (low, high) = (a.min(b), a.max(b));
+        if !(low.is_finite() && high.is_finite()) {
+            return Self { length: whole, time: f64::NAN };
+        }
+        let length = |from: f64, to: f64| {
+            if from == low && to == high { whole } else { lane.length_between(from, to) }
+        };
+        Self { length: whole, time: lane.time_of(low, high, length) }
+    }
+}
+
 /// Places of the two-point Gauss–Legendre rule on −1 to 1, one over the square root of 3.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
@@ -151,14 +175,18 @@ impl<'a> Lane<'a> {
         if !(a.is_finite() && b.is_finite()) {
             return f64::NAN;
         }
-        let (from, to) = (a.min(b), a.max(b));
+        self.time_of(a.min(b), a.max(b), |from, to| self.length_between(from, to))
+    }
+
+    /// As [`Self::time_between`], of finite s that ascend. `length` is that of a stretch.
+    fn time_of(&self, from: f64, to: f64, length: impl Fn(f64, f64) -> f64) -> f64 {
         let (mut time, mut last) = (0.0, from);
         loop {
             let changes = self.speeds().map(|record| record.s);
             let changes = changes.chain(self.road.types().map(|record| record.s));
             let next = changes.filter(|s| *s > last && *s < to).fold(to, f64::min);
             let speed = self.speed_limit_at(0.5 * (last + next)).unwrap_or(ASSUMED_SPEED);
-            time += self.length_between(last, next) / travel_speed(speed);
+            time += length(last, next) / travel_speed(speed);
             if next >= to {
                 return time;
             }

@@ -6,22 +6,23 @@ use glam::DVec3;
 use mapd_archive::{EdgeKind, Rows};
 use mapd_query::Map;
 use mapd_query::SRange;
+use mapd_query::compiling::ByRow as _;
 use mapd_query::graph::LaneNode;
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
 
-/// Nodes that one task looks at.
+/// Nodes that one task looks at, at least.
 const NODES_PER_TASK: usize = 256;
 
 /// Names the edges that join ends farther apart than the tolerance. They stay: the file links them.
 pub(crate) fn check(rows: &Rows, mut report: Report<'_>) -> Vec<Finding> {
     let archive = view(rows);
     let map = Map::new(&archive, 0);
-    let nodes: Vec<LaneNode<'_>> = map.lane_nodes().collect();
-    let gaps: Vec<Vec<(u32, f64)>> =
-        nodes.par_chunks(NODES_PER_TASK).map(|nodes| of_nodes(rows, nodes)).collect();
-    for (edge, gap) in gaps.into_iter().flatten() {
+    let numbers = (0..rows.lane_nodes.len() as u32).into_par_iter().with_min_len(NODES_PER_TASK);
+    let nodes = numbers.filter_map(|number| map.lane_node_by_row(number));
+    let gaps: Vec<(u32, f64)> = nodes.flat_map_iter(|node| of_node(rows, &node)).collect();
+    for (edge, gap) in gaps {
         let message = format!(
             "expected lanes that meet, found {gap:.3} m between {}; linked as written",
             report.edge_text(edge)
@@ -31,24 +32,21 @@ pub(crate) fn check(rows: &Rows, mut report: Report<'_>) -> Vec<Finding> {
     report.finish()
 }
 
-fn of_nodes(rows: &Rows, nodes: &[LaneNode<'_>]) -> Vec<(u32, f64)> {
+fn of_node(rows: &Rows, node: &LaneNode<'_>) -> Vec<(u32, f64)> {
     let mut gaps = Vec::new();
-    for node in nodes {
-        // Pedestrians against the direction of traffic meet the same joint as those with it.
-        if node.lane().is_some_and(|l| !l.is_bidirectional() && l.is_forward() != node.is_forward())
-        {
-            continue;
-        }
-        let first = rows.successor_offsets[node.node_id().row() as usize];
-        let mut exit = None;
-        for (i, edge) in node.edges().enumerate().filter(|(_, e)| is_joint(e.kind())) {
-            let Some(target) = edge.target() else { continue };
-            let exit = *exit.get_or_insert_with(|| end(node, true));
-            let (Some(exit), Some(entry)) = (exit, end(&target, false)) else { continue };
-            let gap = between(exit, entry);
-            if gap > building::JOINT.value {
-                gaps.push((first + i as u32, gap));
-            }
+    // Pedestrians against the direction of traffic meet the same joint as those with it.
+    if node.lane().is_some_and(|l| !l.is_bidirectional() && l.is_forward() != node.is_forward()) {
+        return gaps;
+    }
+    let first = rows.successor_offsets[node.node_id().row() as usize];
+    let mut exit = None;
+    for (i, edge) in node.edges().enumerate().filter(|(_, e)| is_joint(e.kind())) {
+        let Some(target) = edge.target() else { continue };
+        let exit = *exit.get_or_insert_with(|| end(node, true));
+        let (Some(exit), Some(entry)) = (exit, end(&target, false)) else { continue };
+        let gap = between(exit, entry);
+        if gap > building::JOINT.value {
+            gaps.push((first + i as u32, gap));
         }
     }
     gaps

@@ -4,18 +4,17 @@
 //! for each class; for a higher price of changes too, and for a lower one in proportion.
 
 use super::anchors;
-use super::csr::in_order;
-use mapd_archive::{LaneNodeRow, NONE, Rows, VehicleClass, beside_row, node_flags};
+use super::motor_ways::{
+    CHANGE_LENGTH, CHANGE_TIME, MotorWays, Places, Reached, Weight, both_ways,
+};
+use mapd_archive::{NONE, Rows};
 use rayon::prelude::*;
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// Largest stored number of steps; the one above stands for "no way".
 const MOST_STEPS: f64 = 65_534.0;
-/// What a change of lane counts `[m]`: as routing counts it by default.
-const CHANGE_LENGTH: f64 = 20.0;
-/// What a change of lane counts `[s]`: as routing counts it by default.
-const CHANGE_TIME: f64 = 2.0;
+/// Places whose distances one task writes.
+const PLACES_PER_TASK: usize = 4096;
 
 /// Distances by place, in steps.
 #[derive(Default)]
@@ -23,12 +22,6 @@ struct Distances {
     /// Length `[m]` or time `[s]` of a step.
     step: f64,
     steps: Vec<u16>,
-}
-
-impl Distances {
-    fn of(reached: &[Reached], places: &[usize], step: f64) -> Self {
-        Self { step, steps: in_steps(reached, places, step) }
-    }
 }
 
 /// What is found about landmarks.
@@ -51,7 +44,7 @@ impl Landmarks {
         }
         if let Some(graph) = rows.graph.first_mut() {
             graph.bounds = self.count;
-            (graph.change_length, graph.change_time) = (CHANGE_LENGTH, CHANGE_TIME);
+            (graph.change_length, graph.change_time) = (CHANGE_LENGTH.into(), CHANGE_TIME.into());
             (graph.length_step, graph.time_step) = (self.lengths.step, self.times.step);
             graph.landmarks = self.landmarks;
         }
@@ -62,174 +55,61 @@ impl Landmarks {
 
 /// Finds the distances of so many landmarks from and to the anchors of all nodes that motor vehicles may use.
 pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
-    let mut count = 0;
-    let place = |node: &LaneNodeRow| {
-        if node.access & VehicleClass::MOTOR == 0 {
-            return NONE;
-        }
-        count += 1;
-        count - 1
-    };
-    let places: Vec<u32> = rows.lane_nodes.iter().map(place).collect();
-    if count == 0 || landmarks == 0 {
+    let places = Places::of(rows);
+    if places.count == 0 || landmarks == 0 {
         return Landmarks {
-            bounds: vec![(NONE, [0; 2]); places.len()],
+            bounds: vec![(NONE, [0; 2]); places.of_nodes.len()],
             lengths: Distances { step: 1.0, steps: Vec::new() },
             times: Distances { step: 1.0, steps: Vec::new() },
             ..Landmarks::default()
         };
     }
-    let ranks = ranks(rows, &places, count as usize);
-    let ahead = Network::new(rows, &places, count as usize);
-    let behind = ahead.turned();
-    let Chosen { places: chosen, from, to } = choose(&ahead, &behind, &ranks, landmarks);
-    let lengths: Vec<Reached> = from.into_iter().chain(to).collect();
-    let times: Vec<(&Network, u32)> = [&ahead, &behind]
-        .into_iter()
-        .flat_map(|network| chosen.iter().map(move |place| (network, *place)))
+    let [ahead, behind] = both_ways(rows, &places);
+    let Chosen { places: chosen, from, to } =
+        choose([&ahead, &behind], &places.ranks(rows), landmarks);
+    let (length, time) = (|weight: &Weight| weight.length, |weight: &Weight| weight.time);
+    let ways = || [&ahead, &behind].into_iter();
+    let both = ways().zip([from, to]);
+    let lengths: Vec<Searched<'_>> = both
+        .flat_map(|(ways, all)| all.into_iter().map(move |reached| Searched { ways, reached }))
         .collect();
-    let times: Vec<Reached> = times
+    let starts: Vec<(&MotorWays, u32)> =
+        ways().flat_map(|ways| chosen.iter().map(move |place| (ways, *place))).collect();
+    let times: Vec<Searched<'_>> = starts
         .into_par_iter()
-        .map(|(network, place)| Reached::of(&network.distances(place, |weight| weight.time)))
+        .map(|(ways, place)| Searched { ways, reached: ways.distances(place, time) })
         .collect();
     let sizes = [step(&lengths), step(&times)];
-    // Places in the network ascend with the nodes.
-    let node_of = |place: &u32| places.iter().position(|own| own == place).unwrap_or(0) as u32;
-    let fixed: Vec<u32> = chosen.iter().map(node_of).collect();
+    let node_of = |place: &u32| places.of_nodes.iter().position(|own| own == place);
+    let fixed: Vec<u32> = chosen.iter().filter_map(node_of).map(|node| node as u32).collect();
     let anchors = anchors::find(rows, &fixed, sizes);
-    // Anchors in the nodes' order, by their places in the network, and each one's place in the tables.
-    let mut kept = Vec::new();
-    let mut tables = vec![NONE; places.len()];
+    // Anchors by their nodes and by their places, in the nodes' order.
+    let (mut count, mut kept) = (0, vec![NONE; places.count]);
+    let mut tables = vec![NONE; anchors.len()];
     for (node, own) in anchors.iter().enumerate().filter(|(node, a)| a.anchor == *node as u32) {
-        tables[node] = kept.len() as u32;
-        kept.push(places[own.anchor as usize] as usize);
+        tables[node] = count;
+        kept[places.get(own.anchor) as usize] = count;
+        count += 1;
     }
     let bound =
         |a: &anchors::Anchored| (tables.get(a.anchor as usize).copied().unwrap_or(NONE), a.steps);
+    let in_steps = |searched: Vec<Searched<'_>>, step: f64, weight: fn(&Weight) -> f32| Distances {
+        step,
+        steps: in_steps(searched, &kept, count as usize, step, weight),
+    };
     Landmarks {
         bounds: anchors.iter().map(bound).collect(),
-        count: kept.len() as u32,
+        count,
         landmarks: chosen.len() as u32,
-        lengths: Distances::of(&lengths, &kept, sizes[0]),
-        times: Distances::of(&times, &kept, sizes[1]),
+        lengths: in_steps(lengths, sizes[0], length),
+        times: in_steps(times, sizes[1], time),
     }
 }
 
-/// Per place in the tables its place in an order that depends on names only.
-fn ranks(rows: &Rows, bounds: &[u32], count: usize) -> Vec<u32> {
-    let mut ranks = vec![NONE; count];
-    for (rank, node) in in_order(rows).enumerate() {
-        let bound = bounds.get(node as usize).copied().unwrap_or(NONE);
-        if let Some(own) = ranks.get_mut(bound as usize) {
-            *own = rank as u32;
-        }
-    }
-    ranks
-}
-
-/// What an edge costs.
-#[derive(Clone, Copy)]
-struct Weight {
-    length: f64,
-    time: f64,
-}
-
-/// The graph of motor vehicles as compressed sparse rows.
-struct Network {
-    offsets: Vec<u32>,
-    targets: Vec<(u32, Weight)>,
-}
-
-impl Network {
-    fn new(rows: &Rows, bounds: &[u32], count: usize) -> Self {
-        let bound = |node: u32| bounds.get(node as usize).copied().unwrap_or(NONE);
-        let mut edges = Vec::new();
-        for (number, (node, own)) in rows.lane_nodes.iter().zip(bounds).enumerate() {
-            if *own == NONE {
-                continue;
-            }
-            let at = |i: usize| rows.successor_offsets.get(i).copied().unwrap_or(0) as usize;
-            let ahead = rows.successors.get(at(number)..at(number + 1)).unwrap_or(&[]);
-            let pass = Weight { length: node.length.into(), time: node.time.into() };
-            let change = Weight { length: CHANGE_LENGTH, time: CHANGE_TIME };
-            let beside_it = [node.left, node.right].map(|beside| beside_row(number as u32, beside));
-            let sides =
-                [node_flags::CHANGE_LEFT, node_flags::CHANGE_RIGHT].into_iter().zip(beside_it);
-            let beside = sides.filter(|(flag, _)| node.flags & flag != 0);
-            let all = ahead.iter().map(|to| (*to, pass)).chain(beside.map(|(_, to)| (to, change)));
-            let usable = all.map(|(to, weight)| (*own, bound(to), weight));
-            edges.extend(usable.filter(|(_, to, _)| *to != NONE));
-        }
-        Self::of(edges, count)
-    }
-
-    fn of(mut edges: Vec<(u32, u32, Weight)>, count: usize) -> Self {
-        edges.sort_by_key(|(from, ..)| *from);
-        let mut offsets = vec![0; count + 1];
-        for (from, ..) in &edges {
-            offsets[*from as usize + 1] += 1;
-        }
-        for i in 0..count {
-            offsets[i + 1] += offsets[i];
-        }
-        Self { offsets, targets: edges.into_iter().map(|(_, to, weight)| (to, weight)).collect() }
-    }
-
-    fn edges(&self, place: usize) -> &[(u32, Weight)] {
-        let range = self.offsets[place] as usize..self.offsets[place + 1] as usize;
-        self.targets.get(range).unwrap_or(&[])
-    }
-
-    fn turned(&self) -> Self {
-        let count = self.offsets.len() - 1;
-        let all = (0..count)
-            .flat_map(|from| self.edges(from).iter().map(move |(to, w)| (*to, from as u32, *w)));
-        Self::of(all.collect(), count)
-    }
-
-    /// Distances from a place to all (Dijkstra); infinite where there is no way.
-    fn distances(&self, from: u32, weight: fn(&Weight) -> f64) -> Vec<f64> {
-        let mut distances = vec![f64::INFINITY; self.offsets.len() - 1];
-        distances[from as usize] = 0.0;
-        // Distances are not negative: their bits order as they do.
-        let mut open = BinaryHeap::from([Reverse((0f64.to_bits(), from))]);
-        while let Some(Reverse((bits, place))) = open.pop() {
-            let distance = f64::from_bits(bits);
-            if distance > distances[place as usize] {
-                continue;
-            }
-            for (to, cost) in self.edges(place as usize) {
-                let there = distance + weight(cost);
-                if there < distances[*to as usize] {
-                    distances[*to as usize] = there;
-                    open.push(Reverse((there.to_bits(), *to)));
-                }
-            }
-        }
-        distances
-    }
-}
-
-/// Distances, but for the unreached places before the first that is reached and behind the last: of a map whose parts are not
-/// joined, as tiles side by side, most are.
-struct Reached {
-    first: usize,
-    distances: Vec<f64>,
-}
-
-impl Reached {
-    fn of(all: &[f64]) -> Self {
-        let is_reached = |distance: &f64| distance.is_finite();
-        let first = all.iter().position(is_reached).unwrap_or(all.len());
-        let end = all.iter().rposition(is_reached).map_or(first, |last| last + 1);
-        Self { first, distances: all.get(first..end).unwrap_or_default().to_vec() }
-    }
-
-    /// The distance of a place; infinite where there is no way.
-    fn get(&self, place: usize) -> f64 {
-        let own = place.checked_sub(self.first).and_then(|at| self.distances.get(at));
-        own.copied().unwrap_or(f64::INFINITY)
-    }
+/// What a search found, and where.
+struct Searched<'a> {
+    ways: &'a MotorWays,
+    reached: Reached,
 }
 
 /// Landmarks.
@@ -243,12 +123,19 @@ struct Chosen {
 }
 
 /// Chooses landmarks one after the other, each the farthest from those before, at the map's ends.
-fn choose(ahead: &Network, behind: &Network, ranks: &[u32], wanted: usize) -> Chosen {
+fn choose([ahead, behind]: [&MotorWays; 2], ranks: &[u32], wanted: usize) -> Chosen {
     let length = |weight: &Weight| weight.length;
     let mut chosen = Chosen::default();
     let first = (0..ranks.len() as u32).min_by_key(|place| ranks[*place as usize]);
     let Some(first) = first else { return chosen };
-    let mut nearest = ahead.distances(first, length);
+    let mut nearest = vec![f64::INFINITY; ranks.len()];
+    let near = |nearest: &mut [f64], ways: &MotorWays, reached: &Reached| {
+        ways.visit(reached, length, |place, distance| {
+            let near = &mut nearest[place as usize];
+            *near = near.min(distance);
+        });
+    };
+    near(&mut nearest, ahead, &ahead.distances(first, length));
     while chosen.places.len() < wanted.min(ranks.len()) {
         // Places that cannot be reached come last: most are small islands.
         let far = |place: &u32| {
@@ -264,34 +151,47 @@ fn choose(ahead: &Network, behind: &Network, ranks: &[u32], wanted: usize) -> Ch
             nearest.fill(f64::INFINITY);
         }
         chosen.places.push(place);
-        for (near, (there, back)) in nearest.iter_mut().zip(there.iter().zip(&back)) {
-            *near = near.min(*there).min(*back);
-        }
-        chosen.from.push(Reached::of(&there));
-        chosen.to.push(Reached::of(&back));
+        near(&mut nearest, ahead, &there);
+        near(&mut nearest, behind, &back);
+        chosen.from.push(there);
+        chosen.to.push(back);
     }
     chosen
 }
 
 /// The step in which the largest distance has so many as there may be.
-fn step(distances: &[Reached]) -> f64 {
-    let all = distances
-        .iter()
-        .flat_map(|of| &of.distances)
-        .copied()
-        .filter(|distance| distance.is_finite());
-    let most = all.fold(0.0, f64::max);
+fn step(searched: &[Searched<'_>]) -> f64 {
+    let most = searched.iter().map(|one| one.reached.largest).fold(0.0, f64::max);
     if most > 0.0 { most / MOST_STEPS } else { 1.0 }
 }
 
-/// Distances of all landmarks, place by place, in steps rounded down.
-fn in_steps(distances: &[Reached], places: &[usize], step: f64) -> Vec<u16> {
-    let mut out = Vec::with_capacity(places.len() * distances.len());
-    for place in places {
-        out.extend(distances.iter().map(|of| {
-            let distance = of.get(*place);
-            if distance.is_finite() { (distance / step) as u16 } else { u16::MAX }
-        }));
-    }
-    out
+/// Distances of all landmarks, place by place, in steps rounded down; of the `count` places that are kept, by their number.
+fn in_steps(
+    searched: Vec<Searched<'_>>,
+    kept: &[u32],
+    count: usize,
+    step: f64,
+    weight: fn(&Weight) -> f32,
+) -> Vec<u16> {
+    let column = |Searched { ways, reached }: Searched<'_>| {
+        let mut column = vec![u16::MAX; count];
+        ways.visit(&reached, weight, |place, distance| {
+            if let Some(own) = column.get_mut(kept[place as usize] as usize) {
+                *own = (distance / step) as u16;
+            }
+        });
+        column
+    };
+    let columns: Vec<Vec<u16>> = searched.into_par_iter().map(column).collect();
+    let width = columns.len();
+    let mut steps = vec![0; count * width];
+    let rows = steps.par_chunks_mut(PLACES_PER_TASK * width.max(1));
+    rows.enumerate().for_each(|(task, rows)| {
+        for (place, row) in (task * PLACES_PER_TASK..).zip(rows.chunks_mut(width)) {
+            for (own, column) in row.iter_mut().zip(&columns) {
+                *own = column[place];
+            }
+        }
+    });
+    steps
 }

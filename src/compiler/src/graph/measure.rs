@@ -2,15 +2,12 @@
 
 use crate::sample::view;
 use mapd_archive::Rows;
-use mapd_query::compiling::ByRow as _;
+use mapd_query::compiling::{ByRow as _, Measures};
 use mapd_query::{Lane, Map, SRange};
 use rayon::prelude::*;
 
 /// Lanes that one task measures.
 const LANES_PER_TASK: usize = 256;
-
-/// Length and time of one node.
-type Measures = (f32, f32);
 
 /// Fills `length` and `time` of all nodes.
 pub(crate) fn measure(rows: &mut Rows) {
@@ -20,8 +17,8 @@ pub(crate) fn measure(rows: &mut Rows) {
         let numbers: Vec<u32> = (0..rows.lanes.len() as u32).collect();
         numbers.par_chunks(LANES_PER_TASK).map(|lanes| of_lanes(map, lanes)).collect()
     };
-    for (node, (length, time)) in rows.lane_nodes.iter_mut().zip(measured.into_iter().flatten()) {
-        (node.length, node.time) = (length, time);
+    for (node, of_node) in rows.lane_nodes.iter_mut().zip(measured.into_iter().flatten()) {
+        (node.length, node.time) = (of_node.length as f32, of_node.time as f32);
     }
 }
 
@@ -32,5 +29,5 @@ fn of_lanes(map: Map<'_>, lanes: &[u32]) -> Vec<Measures> {
 }
 
 fn of_piece(lane: &Lane<'_>, SRange { low: from, high: to }: SRange) -> Measures {
-    (lane.length_between(from, to) as f32, lane.time_between(from, to) as f32)
+    Measures::between(lane, from, to)
 }

@@ -7,7 +7,7 @@ use crate::same_file::is_same_file;
 use crate::source::Compiling;
 use crate::{draft, report, source};
 use anyhow::{Context, Result, bail};
-use mapd_archive::{HEADER_LENGTH, Header, Rows};
+use mapd_archive::{HEADER_LENGTH, Rows};
 use mapd_compiler::{Progress, Verdict};
 use std::path::{Path, PathBuf};
 
@@ -34,7 +34,7 @@ pub(super) fn compile(
     compiling: Compiling<'_>,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<(Verdict, ChildReport)> {
-    let compiled = source::compile_file_with(file, compiling, progress)?;
+    let mut compiled = source::compile_file_with(file, compiling, progress)?;
     let name = file.display().to_string();
     report::print(&name, &compiled);
     let included: Vec<PathBuf> = compiled.included.iter().map(|file| absolute(file)).collect();
@@ -49,17 +49,20 @@ pub(super) fn compile(
     let mut told = ChildReport { included, missing, counts, archive: None, is_unwritten: false };
     let mut unnamed = None;
     let mut record = None;
-    if let Some(rows) = &compiled.rows {
+    if let Some(rows) = compiled.rows.take() {
         let provenance = &compiled.provenance;
+        let (roads, lanes) = (rows.roads.len(), numbered_lanes(&rows));
         let header = if target.is_there {
-            archive_file::write_into(&target.archive, rows, provenance).context(Unwritten)?
+            archive_file::write_into(&target.archive, &rows, provenance).context(Unwritten)?
         } else {
             let written = archive_file::prepare(&target.archive, rows, provenance)?;
             let header = written.header;
             unnamed = Some(written);
             header
         };
-        let facts = facts(&header, rows);
+        let bytes = header.body_length + HEADER_LENGTH as u64;
+        let content_hash = report::hex(&header.content_hash);
+        let facts = ArchiveFacts { bytes, roads, lanes, content_hash };
         record = Some(Record::new(&facts, provenance, &told.included));
         told.archive = Some(facts);
     }
@@ -76,13 +79,9 @@ pub(super) fn compile(
     Ok((compiled.verdict, told))
 }
 
-fn facts(header: &Header, rows: &Rows) -> ArchiveFacts {
-    ArchiveFacts {
-        bytes: header.body_length + HEADER_LENGTH as u64,
-        roads: rows.roads.len(),
-        lanes: rows.lanes.iter().filter(|lane| lane.number != 0).count(),
-        content_hash: report::hex(&header.content_hash),
-    }
+/// Number of lanes but for the centre lanes.
+fn numbered_lanes(rows: &Rows) -> usize {
+    rows.lanes.iter().filter(|lane| lane.number != 0).count()
 }
 
 fn absolute(file: &Path) -> PathBuf {
