@@ -318,10 +318,15 @@ impl MotorWays {
         let mut own = Vec::new();
         let mut visit = |tree: usize, root: f64, start: Option<u32>| {
             self.spread(tree, root, start, weight, &mut own);
-            let places = self.followers(tree).iter().map(|follower| follower.place);
-            let places = std::iter::once(self.trees[tree].root).chain(places);
-            for (place, distance) in places.zip(&own).filter(|(_, d)| d.is_finite()) {
-                found(place, *distance);
+            let mut found = |place: u32, distance: f64| {
+                if distance.is_finite() {
+                    found(place, distance);
+                }
+            };
+            let Some((root, others)) = own.split_first() else { return };
+            found(self.trees[tree].root, *root);
+            for (follower, distance) in self.followers(tree).iter().zip(others) {
+                found(follower.place, *distance);
             }
         };
         for (tree, root) in (reached.first..).zip(&reached.roots) {

@@ -6,8 +6,8 @@ use mapd_query::compiling::ByRow as _;
 use mapd_query::roads::{LinePoint, Polyline};
 
 /// Lines of each kind that are kept. What is computed leaf by leaf asks for some dozen lanes near each other, and comes back to
-/// long ones; near each other lie lanes of many numbers.
-const KEPT: usize = 1024;
+/// long ones.
+const KEPT: usize = 256;
 
 /// Points that a line has at most to be kept: what is forgotten is decoded again as a whole, and each place keeps the room of
 /// the longest line it had. Of a longer line only the points that are asked for are decoded, each time.
