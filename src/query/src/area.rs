@@ -6,7 +6,7 @@
 use crate::lane::Lane;
 use crate::polyline::segment_ends;
 use crate::profile::At;
-use crate::road::GeometryPiece;
+use crate::road::{GeometryPiece, geometry_at};
 use crate::types::{Clamped, LaneEdges, LanePosition, turned};
 use glam::DVec2;
 use mapd_archive::ArchivedGeometryRow;
@@ -55,10 +55,15 @@ impl Slab<'_> {
 /// The slab of a segment of the lane's centre line, by its number within the line.
 #[inline(always)]
 pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
-    let ends = segment_ends(lane.map.tables(), lane.section.row, lane.row, segment)?;
-    let (lo, hi) = exact_ends(lane, segment, ends)?;
+    let (lo, hi) = if segment == 0 && lane.row.center_count() == 2 {
+        // All of the section, without a look at the points.
+        (lane.section.s_start(), lane.section.s_end())
+    } else {
+        let ends = segment_ends(lane.map.tables(), lane.section.row, lane.row, segment)?;
+        exact_ends(lane, segment, ends)?
+    };
     let rows = lane.road.geometries();
-    let at = rows.partition_point(|g| g.s() <= 0.5 * (lo + hi)).saturating_sub(1);
+    let at = geometry_at(rows, 0.5 * (lo + hi));
     slab_between(lane, (lo, hi), at, lane.road.piece(rows.get(at)?)?)
 }
 

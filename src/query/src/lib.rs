@@ -53,6 +53,7 @@
 mod annotation;
 mod area;
 pub mod batch;
+mod begun;
 mod by_row;
 mod class_set;
 mod cross_section;

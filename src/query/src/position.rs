@@ -5,6 +5,7 @@ use crate::index;
 use crate::lane::Lane;
 use crate::nearest::round_up;
 use crate::profile;
+use crate::road::geometry_at;
 use crate::types::LanePosition;
 use glam::DVec2;
 use mapd_archive::lane_flags;
@@ -39,7 +40,7 @@ enum HoldingStretch<'a> {
 fn held<'a>(lane: &Lane<'a>, local: DVec2) -> HoldingStretch<'a> {
     let (start, end) = (lane.section.s_start(), lane.section.s_end());
     let rows = lane.road.geometries();
-    let first = rows.partition_point(|g| g.s() <= start).saturating_sub(1);
+    let first = geometry_at(rows, start);
     let mut foot: Option<(usize, [f64; 2])> = None;
     for at in first..first + GEOMETRIES {
         let next = rows.get(at + 1).map(|next| next.s()).filter(|next| *next < end);

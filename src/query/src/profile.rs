@@ -1,5 +1,6 @@
 //! Cubic records along s.
 
+use crate::begun::begun;
 use mapd_archive::ArchivedCubicRow;
 use mapd_geometry::Cubic;
 
@@ -39,11 +40,14 @@ fn record(records: &[ArchivedCubicRow], at: At) -> Option<&ArchivedCubicRow> {
     match records {
         [] => None,
         [only] => (only.s() <= at.hold).then_some(only),
-        _ => records
-            .partition_point(|r| r.s() <= at.hold)
-            .checked_sub(1)
-            .and_then(|i| records.get(i)),
+        _ => among(records, at),
     }
+}
+
+/// As [`record`], of any number of them: there once, however many profiles are asked.
+#[inline(never)]
+fn among(records: &[ArchivedCubicRow], at: At) -> Option<&ArchivedCubicRow> {
+    begun(records, at.hold, |r| r.s()).checked_sub(1).and_then(|i| records.get(i))
 }
 
 /// A record apart from the archive.

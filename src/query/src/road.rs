@@ -1,5 +1,6 @@
 //! Roads: the reference line and what lies along it.
 
+use crate::begun::begun;
 use crate::error::QueryError;
 use crate::extents::SourcePosition;
 use crate::ids::RoadId;
@@ -63,6 +64,13 @@ pub struct RoadTypeRecord {
 pub(crate) struct GeometryPiece<'a> {
     pub(crate) s: f64,
     pub(crate) curve: Curve<'a>,
+}
+
+/// Number of the geometry that holds at s, among those of a road: the last that starts at or before it, else the first.
+// Never inlined: it is called in many places, and there once.
+#[inline(never)]
+pub(crate) fn geometry_at(rows: &[ArchivedGeometryRow], s: f64) -> usize {
+    begun(rows, s, |g| g.s()).saturating_sub(1)
 }
 
 impl<'a> Road<'a> {
@@ -282,8 +290,7 @@ impl<'a> Road<'a> {
     #[inline(always)]
     pub(crate) fn piece_at(&self, at: At) -> Option<GeometryPiece<'a>> {
         let rows = self.geometries();
-        let after = rows.partition_point(|g| g.s() <= at.hold);
-        self.piece(rows.get(after.saturating_sub(1))?)
+        self.piece(rows.get(geometry_at(rows, at.hold))?)
     }
 
     #[inline(always)]
@@ -362,9 +369,10 @@ impl<'a> Road<'a> {
         if !(at.s.is_finite() && is_coordinate(t) && is_coordinate(h)) {
             return Err(QueryError::NotFinite);
         }
-        let point = self.reference_at(at).ok_or(QueryError::Corrupt)?;
+        // Before the reference line, which takes longer: what they read is waited for together.
         let elevation = profile::slope(self.elevations(), at);
         let (roll_cos, roll_sin, superelevation) = self.roll_angle(at);
+        let point = self.reference_at(at).ok_or(QueryError::Corrupt)?;
         let lateral = t * roll_cos - h * roll_sin;
         let origin = self.map.origin();
         Ok(Pose {
