@@ -57,6 +57,7 @@ pub fn all() -> Vec<GoldenMap> {
     let covered = |name: &str| read(coverage().join(format!("{name}.xodr")));
     let mut maps = vec![
         map("furnished", crossroads::furnished()),
+        map("lane-blocks", read(carried("town.xodr"))),
         map("objects", read(carried("objects.xodr"))),
         map("roundabout", roundabout(GROUP)),
         map("surfaces", read(carried("surfaces.xodr"))),

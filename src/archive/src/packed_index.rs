@@ -1,5 +1,5 @@
 //! Numbers that writer and readers of the packed R-trees share: part of the meaning of `index_nodes`, `index_leaves` and the
-//! trees over objects and signals.
+//! trees over objects and signals, and of `lane_blocks`.
 
 /// Children of a node, places of a leaf.
 pub const WIDTH: usize = 16;
@@ -15,3 +15,6 @@ pub const HEIGHT_UNIT: f32 = 1.0 / 16.0;
 
 /// In a leaf's `reach`, `overshoot` and `z_high`: any distance.
 pub const ANY: u16 = u16::MAX;
+
+/// Lanes of a row of `lane_blocks`.
+pub const BLOCK: u32 = u64::BITS;

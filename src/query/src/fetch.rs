@@ -1,48 +1,58 @@
 //! What deciding several candidates will read, read ahead of it.
 //!
 //! A lane's row names its section, that its road, that its records: in a map that no cache holds each step waits for memory.
-//! Taken step by step for all candidates at once, the waits of a step pass side by side.
+//! What is known without the step before, and what several candidates need, is waited for side by side.
 
+use crate::begun::TOGETHER as RECORDS;
 use crate::index::LaneSegment;
-use mapd_archive::{Range, Tables};
+use mapd_archive::packed_index::BLOCK;
+use mapd_archive::{ArchivedCubicRow, Tables};
 use std::hint::black_box;
 
 /// Candidates that are read ahead together.
 pub(crate) const TOGETHER: usize = 8;
 
-/// Reads ahead what it takes to decide whether lanes hold a point; lanes that the map does not have count for nothing.
+/// Reads ahead the rows of a lane that may hold a point, its section and its road; what the map does not have counts for nothing.
+///
+/// The block of the lane tells the latter two without its row, so that all three are waited for side by side. An archive of an earlier
+/// release has no blocks.
+#[inline(always)]
+pub(crate) fn rows(tables: &Tables<'_>, lane: u32) {
+    let Some(block) = tables.lane_blocks.get((lane / BLOCK) as usize) else { return };
+    let up_to = (2u64 << (lane % BLOCK)).wrapping_sub(1);
+    let after = |starts: u64| (starts & up_to).count_ones();
+    let section = block.section().wrapping_add(after(block.section_starts()));
+    let road = block.road().wrapping_add(after(block.road_starts()));
+    // The first and the last that is read of each row: they lie across the ends of cache lines.
+    black_box((
+        tables.lanes.get(lane as usize).map(|row| (row.section(), row.flags())),
+        tables.sections.get(section as usize).map(|row| (row.s_start(), row.z_step())),
+        tables.roads.get(road as usize).map(|row| (row.length(), row.lane_offsets().count)),
+    ));
+}
+
+/// Reads ahead what the rows of several candidates name. How much that is, is only known when the rows have come: they are read ahead of
+/// all candidates before.
 #[inline]
-pub(crate) fn fetch(tables: &Tables<'_>, places: &[LaneSegment]) {
-    let mut lanes = [None; TOGETHER];
-    for (lane, place) in lanes.iter_mut().zip(places) {
-        *lane = tables.lanes.get(place.lane as usize);
-    }
-    let mut sections = [None; TOGETHER];
-    for (section, lane) in sections.iter_mut().zip(lanes).take(places.len()) {
-        *section = lane.and_then(|lane| tables.sections.get(lane.section() as usize));
-    }
-    let mut roads = [None; TOGETHER];
-    for (road, section) in roads.iter_mut().zip(sections).take(places.len()) {
-        *road = section.and_then(|section| tables.roads.get(section.road() as usize));
-    }
-    let middle = |range: Range| (range.first.wrapping_add(range.count / 2)) as usize;
-    let mut geometries = [None; TOGETHER];
-    for (i, place) in places.iter().enumerate().take(TOGETHER) {
-        let (Some(road), Some(section), Some(lane)) = (roads[i], sections[i], lanes[i]) else {
-            continue;
-        };
-        geometries[i] = tables.geometries.get(middle(road.geometries()));
-        let record = |row: usize| tables.cubics.get(row).map(|record| record.s());
+pub(crate) fn records(tables: &Tables<'_>, places: &[LaneSegment]) {
+    for place in places {
+        let Some(lane) = tables.lanes.get(place.lane as usize) else { continue };
+        let Some(section) = tables.sections.get(lane.section() as usize) else { continue };
+        let Some(road) = tables.roads.get(section.road() as usize) else { continue };
+        for row in road.geometries().of(tables.geometries).iter().take(RECORDS) {
+            black_box(row.s());
+        }
         let segment = usize::from(place.segment);
+        let point = segment * usize::from(section.point_bytes());
         black_box((
-            tables.points.get(lane.first_byte() as usize + segment),
+            tables.points.get(lane.first_byte() as usize + point),
             tables.point_stations.get(section.first_station() as usize + segment),
-            record(lane.first_width() as usize),
-            [road.lane_offsets(), road.superelevations(), road.elevations()]
-                .map(|range| record(middle(range))),
+            tables.cubics.get(lane.first_width() as usize).map(ArchivedCubicRow::s),
         ));
-    }
-    for geometry in geometries.iter().take(places.len()).flatten() {
-        black_box(tables.coefficients.get(geometry.coefficients().first as usize));
+        for range in [road.lane_offsets(), road.superelevations(), road.elevations()] {
+            for row in range.of(tables.cubics).iter().take(RECORDS) {
+                black_box(row.s());
+            }
+        }
     }
 }

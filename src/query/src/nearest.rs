@@ -2,7 +2,7 @@
 
 use crate::area::{self, Cross, Slab, SlabPosition};
 use crate::error::QueryError;
-use crate::fetch::{TOGETHER, fetch};
+use crate::fetch::{self, TOGETHER};
 use crate::ids::LaneId;
 use crate::index::{self, LaneSegment};
 use crate::lane::Lane;
@@ -306,7 +306,7 @@ impl<'a> Map<'a> {
         let heights = options.heights(point);
         let mut best = Best::default();
         let mut decide = |places: &[LaneSegment]| {
-            fetch(self.tables(), places);
+            fetch::records(self.tables(), places);
             for place in places {
                 best.consider(self.candidate_around(*place, point, local, options), *self, options);
             }
@@ -323,6 +323,7 @@ impl<'a> Map<'a> {
                     decide(&around);
                     count = 0;
                 }
+                fetch::rows(self.tables(), lanes[k]);
                 around[count] = LaneSegment { lane: lanes[k], segment: segments[k] };
                 count += 1;
             }

@@ -96,8 +96,14 @@ fn graph(tables: &Tables<'_>, lines: &mut Lines) {
     }
 }
 
-/// How far lanes reach beyond the segments that the index has of them.
+/// How far lanes reach beyond the segments that the index has of them, and what is told of their rows ahead.
 fn index(tables: &Tables<'_>, lines: &mut Lines) {
+    for row in tables.lane_blocks {
+        lines
+            .about("lane block")
+            .with("first", [row.section(), row.road()])
+            .word("starts", format_args!("{:x},{:x}", row.section_starts(), row.road_starts()));
+    }
     for row in tables.index_leaves {
         lines.about("leaf").with("overshoot", *row.overshoot()).with("z_high", *row.z_high());
     }

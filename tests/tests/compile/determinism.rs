@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the format or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "a288279aef5e4cd56b2b03c4b7e3bda0ec4de019d6c82defab7fbbffa6b26424"),
-    ("town.xodr", "", "1f57fbb7b3c36cead8ffc0432b97f7a21b8174d9ef927f040abae3be1bfe9af1"),
-    ("one_road.xodr", "utm", "2d835d229bc1891aad4fcf631bba83d9e7ecbb8a5fdf4dc1a5a18f59c4b81bb4"),
+    ("one_road.xodr", "", "d0c3ba521efad58ce39c22ddc880ee1d0e1d69ca76a4012304dd282af3f441da"),
+    ("town.xodr", "", "510a5177e2a4876c71a9b2f75f3485e2bef619c67104e619e24467b261906422"),
+    ("one_road.xodr", "utm", "424e5879360f96d5b68758021613a9f6bcfae6ee2fd231f0c450a39581c26067"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "cf109681280725369f7f97cbdb35758b5f24d280c9444cce392c223e3f0a4e78",
+        "3e0d121eaf27b197a89da92a0fc70550e4e0dea5da8ccb7ded0e14274e537351",
     ),
 ];
 

@@ -6,6 +6,8 @@ mod corpus;
 mod determinism;
 // Georeferences, header offsets and stated bounds of maps: what the archive stores and what is found.
 mod georeference;
+// Blocks of lanes tell the sections and roads that the lanes' rows lead to.
+mod lane_blocks;
 // Batches that are checked and lowered by themselves give the archive and the findings of one element after the other, wherever the text is cut.
 mod lowering_ahead;
 // Patches: roads and junctions that take the place of others while a map is compiled.

@@ -120,6 +120,7 @@ impl Rows {
             road_types: unused(),
             sections: unused(),
             lanes: unused(),
+            lane_blocks: unused(),
             lane_speeds: unused(),
             point_stations: unused(),
             points: unused(),
@@ -310,6 +311,9 @@ impl Rows {
             self.lanes.extend_from_slice(part.lanes.get(1..).unwrap_or_default());
             self.lanes.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
+        let before = self.lane_blocks.len();
+        self.lane_blocks.extend_from_slice(part.lane_blocks.get(1..).unwrap_or_default());
+        self.lane_blocks.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         let before = self.lane_speeds.len();
         self.lane_speeds.extend_from_slice(part.lane_speeds.get(1..).unwrap_or_default());
         self.lane_speeds.iter_mut().skip(before).for_each(|row| row.move_by(moves));

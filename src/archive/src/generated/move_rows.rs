@@ -81,6 +81,14 @@ impl LaneRow {
     }
 }
 
+impl LaneBlockRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &RowMappings) {
+        self.section = moves.sections.row(self.section);
+        self.road = moves.roads.row(self.road);
+    }
+}
+
 impl LaneSpeedRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &RowMappings) {

@@ -647,6 +647,29 @@ impl ArchivedLaneRow {
     }
 }
 
+impl ArchivedLaneBlockRow {
+    /// Bit i: the block's lane i has another section than the lane before it, the next one. The lowest bit is 0.
+    #[inline]
+    pub fn section_starts(&self) -> u64 {
+        self.section_starts.to_native()
+    }
+    /// Bit i: that section has another road than the section before it, the next one. The lowest bit is 0.
+    #[inline]
+    pub fn road_starts(&self) -> u64 {
+        self.road_starts.to_native()
+    }
+    /// Section of the block's first lane.
+    #[inline]
+    pub fn section(&self) -> u32 {
+        self.section.to_native()
+    }
+    /// Road of that section.
+    #[inline]
+    pub fn road(&self) -> u32 {
+        self.road.to_native()
+    }
+}
+
 impl ArchivedLaneSpeedRow {
     /// `[m]` Start on the road.
     #[inline]

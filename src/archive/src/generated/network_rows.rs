@@ -335,6 +335,22 @@ pub struct LaneRow {
 }
 const _: () = assert!(size_of::<LaneRow>() == 36 && size_of::<ArchivedLaneRow>() == 36);
 
+/// A row for each 64 lanes: the sections and roads that their rows lead to, so that queries can read all of these rows ahead at once. It decides nothing. Where roads of neighbouring sections do not follow each other, as behind temporary layers, it is wrong.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct LaneBlockRow {
+    /// Bit i: the block's lane i has another section than the lane before it, the next one. The lowest bit is 0.
+    pub section_starts: u64,
+    /// Bit i: that section has another road than the section before it, the next one. The lowest bit is 0.
+    pub road_starts: u64,
+    /// Section of the block's first lane.
+    pub section: u32,
+    /// Road of that section.
+    pub road: u32,
+}
+const _: () = assert!(size_of::<LaneBlockRow>() == 24 && size_of::<ArchivedLaneBlockRow>() == 24);
+
 /// lane/speed records, by lane and s.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]

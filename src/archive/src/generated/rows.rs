@@ -25,7 +25,7 @@ pub struct Rows {
     pub roads: Table<RoadRow>,
     /// Plan-view geometries, as written or transformed into the target frame, with the values that their evaluation needs (OpenDRIVE 1.8.1, 9.2).
     pub geometries: Table<GeometryRow>,
-    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length). Transformed: pieces of 21 (heading of the middle relative to the start, then x and y as polynomials of degree 9).
+    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length). Transformed: pieces of 21 (heading of the middle relative to the start, then x and y as polynomials of degree 9). Equal sequences are stored once.
     pub coefficients: Table<f64>,
     /// Cubic records a + b·ds + c·ds² + d·ds³ with ds = s − `s`; each holds until the next of its range.
     pub cubics: Table<CubicRow>,
@@ -223,6 +223,8 @@ pub struct Rows {
     pub annotation_numbers: Table<u8>,
     /// A row for each 256 annotations: the values that the first of them is relative to, so that the annotations of an owner are found without reading all.
     pub annotation_blocks: Table<AnnotationBlockRow>,
+    /// A row for each 64 lanes: the sections and roads that their rows lead to, so that queries can read all of these rows ahead at once. It decides nothing. Where roads of neighbouring sections do not follow each other, as behind temporary layers, it is wrong.
+    pub lane_blocks: Table<LaneBlockRow>,
 }
 
 impl Rows {
@@ -334,11 +336,12 @@ impl Rows {
             speed_signs_at_entry: bytemuck::cast_slice(self.speed_signs_at_entry.as_slice()),
             annotation_numbers: (self.annotation_numbers.as_slice()),
             annotation_blocks: bytemuck::cast_slice(self.annotation_blocks.as_slice()),
+            lane_blocks: bytemuck::cast_slice(self.lane_blocks.as_slice()),
         }
     }
 
     /// The bytes of all tables, as they lie in an archive, in the order of `TABLES`.
-    pub(crate) fn bytes(&self) -> [&[u8]; 105] {
+    pub(crate) fn bytes(&self) -> [&[u8]; 106] {
         [
             bytemuck::cast_slice(self.string_bytes.as_slice()),
             bytemuck::cast_slice(self.string_offsets.as_slice()),
@@ -445,6 +448,7 @@ impl Rows {
             bytemuck::cast_slice(self.speed_signs_at_entry.as_slice()),
             bytemuck::cast_slice(self.annotation_numbers.as_slice()),
             bytemuck::cast_slice(self.annotation_blocks.as_slice()),
+            bytemuck::cast_slice(self.lane_blocks.as_slice()),
         ]
     }
 }

@@ -29,7 +29,7 @@ pub struct Tables<'a> {
     pub roads: &'a [ArchivedRoadRow],
     /// Plan-view geometries, as written or transformed into the target frame, with the values that their evaluation needs (OpenDRIVE 1.8.1, 9.2).
     pub geometries: &'a [ArchivedGeometryRow],
-    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length). Transformed: pieces of 21 (heading of the middle relative to the start, then x and y as polynomials of degree 9).
+    /// Numbers of the geometries. Line: none. Arc: curvature. Spiral: start and end curvature, then pieces of 20 (x and y as polynomials of degree 9 over −1 to 1). poly3: 4, paramPoly3: 8, then pieces of 10 (the curve parameter as a polynomial of true arc length). Transformed: pieces of 21 (heading of the middle relative to the start, then x and y as polynomials of degree 9). Equal sequences are stored once.
     pub coefficients: &'a [f64],
     /// Cubic records a + b·ds + c·ds² + d·ds³ with ds = s − `s`; each holds until the next of its range.
     pub cubics: &'a [ArchivedCubicRow],
@@ -227,6 +227,8 @@ pub struct Tables<'a> {
     pub annotation_numbers: &'a [u8],
     /// A row for each 256 annotations: the values that the first of them is relative to, so that the annotations of an owner are found without reading all.
     pub annotation_blocks: &'a [ArchivedAnnotationBlockRow],
+    /// A row for each 64 lanes: the sections and roads that their rows lead to, so that queries can read all of these rows ahead at once. It decides nothing. Where roads of neighbouring sections do not follow each other, as behind temporary layers, it is wrong.
+    pub lane_blocks: &'a [ArchivedLaneBlockRow],
 }
 
 impl<'a> Tables<'a> {
@@ -338,11 +340,12 @@ impl<'a> Tables<'a> {
             speed_signs_at_entry: directory.take(&TABLES[102])?,
             annotation_numbers: directory.take(&TABLES[103])?,
             annotation_blocks: directory.take(&TABLES[104])?,
+            lane_blocks: directory.take(&TABLES[105])?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 105] {
+    pub fn infos(&self) -> [TableInfo; 106] {
         [
             TableInfo::of(1, "string_bytes", self.string_bytes),
             TableInfo::of(2, "string_offsets", self.string_offsets),
@@ -449,6 +452,7 @@ impl<'a> Tables<'a> {
             TableInfo::of(103, "speed_signs_at_entry", self.speed_signs_at_entry),
             TableInfo::of(104, "annotation_numbers", self.annotation_numbers),
             TableInfo::of(105, "annotation_blocks", self.annotation_blocks),
+            TableInfo::of(106, "lane_blocks", self.lane_blocks),
         ]
     }
 }

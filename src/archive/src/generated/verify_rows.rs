@@ -138,6 +138,11 @@ impl Tables<'_> {
             )?;
             check.reference("first_mark", row.first_mark(), self.road_marks.len(), true)?;
         }
+        for (i, row) in self.lane_blocks.iter().enumerate() {
+            let check = Check { table: "lane_blocks", row: i };
+            check.reference("section", row.section(), self.sections.len(), false)?;
+            check.reference("road", row.road(), self.roads.len(), false)?;
+        }
         for (i, row) in self.lane_speeds.iter().enumerate() {
             let check = Check { table: "lane_speeds", row: i };
             check.finite("s", row.s())?;

@@ -1,10 +1,12 @@
 //! The packed spatial indexes: of lanes, objects and signals.
 
+mod lane_blocks;
 mod lanes;
 mod objects;
 mod packed;
 mod signals;
 
+pub(crate) use lane_blocks::build as lane_blocks;
 pub(crate) use lanes::build as lanes;
 pub(crate) use objects::build as objects;
 pub(crate) use signals::build as signals;

@@ -79,6 +79,7 @@ fn build(
         progress(Progress::Indexing { bytes: rows.points.len() });
         index::objects(&mut rows);
         index::signals(&mut rows);
+        index::lane_blocks(&mut rows);
         match index::lanes(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {

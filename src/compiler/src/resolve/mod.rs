@@ -1,6 +1,7 @@
 //! Ids become rows, and the draft becomes tables.
 
 mod annotations;
+mod coefficients;
 mod joints;
 mod links;
 mod origin;

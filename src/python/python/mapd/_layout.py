@@ -109,4 +109,5 @@ TABLES: dict[str, tuple[int, int, Any]] = {
     "speed_signs_at_entry": (103, 0x6f52c57ab421dfd2, [("lane", "<u4"), ("limit", "<u4"), ("zone", "<u4"), ("zone_depends", "u1"), ("reserved", "u1", (3,))]),
     "annotation_numbers": (104, 0xbffb8cb6557739ca, "u1"),
     "annotation_blocks": (105, 0x8a699ee01e41a9b0, [("owner", "<u4"), ("line", "<u4"), ("count", "<u2"), ("owner_kind", "u1"), ("reserved", "u1")]),
+    "lane_blocks": (106, 0x6154d00e35f46462, [("section_starts", "<u8"), ("road_starts", "<u8"), ("section", "<u4"), ("road", "<u4")]),
 }
