@@ -1,4 +1,4 @@
-//! The packed spatial indexes: of lanes, objects and signals.
+//! The packed spatial indexes: of lanes, objects and signals; and what queries read ahead by.
 
 mod lane_blocks;
 mod lanes;
