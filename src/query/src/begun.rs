@@ -7,7 +7,7 @@ pub(crate) const TOGETHER: usize = 8;
 ///
 /// Halving a list waits for one row's memory after the other; few rows are therefore all compared, so that their waits pass side by side.
 #[inline(always)]
-pub(crate) fn begun<T>(mut rows: &[T], at: f64, start: impl Fn(&T) -> f64) -> usize {
+pub fn begun<T>(mut rows: &[T], at: f64, start: impl Fn(&T) -> f64) -> usize {
     let mut before = 0;
     while rows.len() > TOGETHER {
         let (lower, upper) = rows.split_at(rows.len() / 2);
@@ -19,21 +19,4 @@ pub(crate) fn begun<T>(mut rows: &[T], at: f64, start: impl Fn(&T) -> f64) -> us
         }
     }
     before + rows.iter().map(|row| usize::from(start(row) <= at)).sum::<usize>()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::begun;
-
-    #[test]
-    fn counts_as_a_binary_search_does() {
-        for count in 0..40 {
-            // Some begin at the same place.
-            let rows: Vec<f64> = (0..count).map(|i| f64::from(i / 3)).collect();
-            for at in [-1.0, 0.0, 0.5, 1.0, 4.0, 4.5, 20.0, f64::NAN] {
-                let due = rows.partition_point(|row| *row <= at);
-                assert_eq!(begun(&rows, at, |row| *row), due, "{count} rows at {at}");
-            }
-        }
-    }
 }

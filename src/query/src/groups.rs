@@ -67,11 +67,12 @@ pub mod vocabulary {
 /// notice.
 #[doc(hidden)]
 pub mod compiling {
+    pub use crate::begun::begun;
     pub use crate::by_row::{ByRow, position_along};
     pub use crate::cross_section::SectionCutter;
     pub use crate::graph::{extremes_of_joined, is_first_joined};
     pub use crate::index::{SegmentHit, nearest_segment};
-    pub use crate::lane_length::Measures;
+    pub use crate::lane_length::{Measures, measures_between};
     pub use crate::rules::entry_sign::EntrySign;
     pub use crate::rules::speed_signs::{SpeedSigns, Zone, is_of_speed};
 }

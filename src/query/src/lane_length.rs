@@ -26,19 +26,17 @@ pub struct Measures {
     pub time: f64,
 }
 
-impl Measures {
-    /// Both between two places of a lane: where one speed holds all along, the length is integrated once.
-    pub fn between(lane: &Lane<'_>, a: f64, b: f64) -> Self {
-        let whole = lane.length_between(a, b);
-        let (low, high) = (a.min(b), a.max(b));
-        if !(low.is_finite() && high.is_finite()) {
-            return Self { length: whole, time: f64::NAN };
-        }
-        let length = |from: f64, to: f64| {
-            if from == low && to == high { whole } else { lane.length_between(from, to) }
-        };
-        Self { length: whole, time: lane.time_of(low, high, length) }
+/// Both between two places of a lane: where one speed holds all along, the length is integrated once.
+pub fn measures_between(lane: &Lane<'_>, a: f64, b: f64) -> Measures {
+    let whole = lane.length_between(a, b);
+    let (low, high) = (a.min(b), a.max(b));
+    if !(low.is_finite() && high.is_finite()) {
+        return Measures { length: whole, time: f64::NAN };
     }
+    let length = |from: f64, to: f64| {
+        if from == low && to == high { whole } else { lane.length_between(from, to) }
+    };
+    Measures { length: whole, time: lane.time_of(low, high, length) }
 }
 
 /// Places of the two-point Gauss–Legendre rule on −1 to 1, one over the square root of 3.

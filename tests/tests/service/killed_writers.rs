@@ -4,6 +4,7 @@
 use mapd_tests::say;
 use mapd_tests::tracer::{Side, Then, Traced};
 use nix::errno::Errno;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
@@ -112,26 +113,34 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Runs the command and kills it at a moment of its writing, counted from the first change in the folder; 0 is that change.
-/// How it ended, and the moment's name. `None` where tracing is not permitted.
-fn kill_at(scene: &Scene, number: usize) -> Option<(ExitStatus, String)> {
+/// A moment of writing: before or after a call, and which of the calls of that name it is, counted from the first change in the folder. How often the
+/// first thread waits for others differs from run to run, so that all its calls together cannot be counted.
+type Met = (String, usize);
+
+/// Runs the command and kills it at the first moment of its writing that has not been met. How it ended, and the moment. `None` where tracing is not
+/// permitted.
+fn kill_at_another(scene: &Scene, met: &BTreeSet<Met>) -> Option<(ExitStatus, Met)> {
     let (traced, _) = match Traced::start(&scene.command(), "", Stdio::null()) {
         Err(error) if error.raw_os_error() == Some(Errno::EPERM as i32) => return None,
         started => started.expect("starts"),
     };
     let before = scene.names();
-    let (mut begun, mut passed, mut when) = (false, 0, "at its end".to_owned());
+    let (mut begun, mut calls, mut when) = (false, BTreeMap::new(), ("at its end".to_owned(), 0));
     let ended = traced.run(|moment| {
         begun |= moment.side == Side::After && names(&scene.out()) != before;
         // The others wait, or end.
         if !begun || moment.thread != 0 {
             return Then::Continue;
         }
-        passed += 1;
-        if passed <= number {
+        let side = if moment.side == Side::Before { "before" } else { "after" };
+        let name = format!("{side} {}", moment.name);
+        let count = calls.entry(name.clone()).or_insert(0);
+        *count += 1;
+        let this = (name, *count);
+        if met.contains(&this) {
             return Then::Continue;
         }
-        when = moment.to_string();
+        when = this;
         Then::Kill
     });
     Some((ended.expect("runs"), when))
@@ -141,20 +150,20 @@ fn kill_at(scene: &Scene, number: usize) -> Option<(ExitStatus, String)> {
 fn killed_at_every_system_call_of_writing() {
     let scene = Scene::new();
     for has_old in [false, true] {
-        let mut killed = Vec::new();
-        for number in 0..MOMENTS {
+        let mut killed = BTreeSet::new();
+        for _ in 0..MOMENTS {
             scene.reset(has_old);
-            let Some((ended, when)) = kill_at(&scene, number) else {
+            let Some((ended, when)) = kill_at_another(&scene, &killed) else {
                 return say("SKIPPED: tracing is not permitted");
             };
-            scene.check(has_old, &when);
+            scene.check(has_old, &format!("{} {}", when.0, when.1));
             if ended.code().is_some() {
                 break;
             }
-            killed.push(when);
+            killed.insert(when);
         }
         // Archive and report are drafts that are renamed; each call is met before and after.
-        let met = |part: &str| killed.iter().filter(|when| when.contains(part)).count();
+        let met = |part: &str| killed.iter().filter(|(when, _)| when == part).count();
         for (part, least) in [("before rename", 2), ("after rename", 2), ("before fallocate", 1)] {
             assert!(met(part) >= least, "{part} was not met: {killed:?}");
         }

@@ -2,7 +2,7 @@
 
 use crate::sample::view;
 use mapd_archive::Rows;
-use mapd_query::compiling::{ByRow as _, Measures};
+use mapd_query::compiling::{ByRow as _, Measures, measures_between};
 use mapd_query::{Lane, Map, SRange};
 use rayon::prelude::*;
 
@@ -29,5 +29,5 @@ fn of_lanes(map: Map<'_>, lanes: &[u32]) -> Vec<Measures> {
 }
 
 fn of_piece(lane: &Lane<'_>, SRange { low: from, high: to }: SRange) -> Measures {
-    Measures::between(lane, from, to)
+    measures_between(lane, from, to)
 }
