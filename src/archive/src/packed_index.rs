@@ -17,4 +17,4 @@ pub const HEIGHT_UNIT: f32 = 1.0 / 16.0;
 pub const ANY: u16 = u16::MAX;
 
 /// Lanes of a row of `lane_blocks`.
-pub const BLOCK: u32 = u64::BITS;
+pub const LANES_PER_BLOCK: u32 = u64::BITS;

@@ -3,6 +3,7 @@
 use crate::claim::{SUFFIX, served_by};
 use crate::domain::Domain;
 use crate::error::AttachError;
+use crate::limits::check_map_name;
 use crate::observer::published;
 use crate::payload::GenerationInfo;
 use crate::user::check_owner;
@@ -47,9 +48,10 @@ pub(crate) fn alive_maps(domain: &Domain) -> Vec<String> {
 fn claimed_names(domain: &Domain) -> io::Result<Vec<String>> {
     let mut names = Vec::new();
     for entry in std::fs::read_dir(domain.root())? {
-        if let Some(map) = entry?.file_name().to_str().and_then(|name| name.strip_suffix(SUFFIX)) {
-            names.push(map.to_owned());
-        }
+        let file = entry?.file_name();
+        let name = file.to_str().and_then(|name| name.strip_suffix(SUFFIX));
+        // Another user's folder may have any names, which are shown on terminals.
+        names.extend(name.filter(|name| check_map_name(name).is_ok()).map(str::to_owned));
     }
     names.sort();
     Ok(names)

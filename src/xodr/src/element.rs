@@ -21,8 +21,8 @@ pub(crate) trait Element: Default {
     fn child(&mut self, _slot: usize, _cursor: &mut Cursor<'_>) {}
 }
 
-/// Reads the element whose start tag the cursor has just read, up to its end, into one that is empty: where it is to stay, for some are
-/// hundreds of bytes.
+/// Reads the element whose start tag the cursor has just read, up to its end, into an empty one, in place: some are hundreds of bytes, which
+/// would be copied.
 pub(crate) fn read<T: Element>(value: &mut T, cursor: &mut Cursor<'_>) {
     let mut open = cursor.open(T::schema());
     value.begin(open.span);

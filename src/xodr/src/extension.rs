@@ -132,7 +132,7 @@ impl Extension {
         };
         let Some(start) = start else { return "" };
         let end = self.text.rfind("</").unwrap_or(0);
-        // Space is that of lines and indentation, which is told byte by byte, nearly always.
+        // Nearly all space is ASCII, which is quick to trim.
         self.text.get(start..end).unwrap_or("").trim_ascii().trim()
     }
 

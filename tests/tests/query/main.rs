@@ -8,8 +8,9 @@ mod annotations;
 mod as_json;
 // Batches answer as single calls do, bit for bit and in the caller's order, and name what is wrong by its number.
 mod batches;
-// Points to lanes and to track coordinates against looking everywhere.
+// Rows that begin at or before a place are counted as a binary search counts them.
 mod begun;
+// Points to lanes and to track coordinates against looking everywhere.
 mod brute_force;
 // Conflicts against looking at points: where two lanes of a junction both cover a point, they conflict there.
 mod conflicts;

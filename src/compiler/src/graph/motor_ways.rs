@@ -2,7 +2,7 @@
 //!
 //! Most places are entered from one other alone: ways through a junction, each from its incoming lane, and later sections of a
 //! lane. Such a place follows the other: its distance is the other's and the way between. So only places where ways join are
-//! searched, a fourth of a town's. A search backwards has places of its own that follow.
+//! searched. A search backwards has places of its own that follow.
 
 use super::csr::in_order;
 use mapd_archive::{LaneNodeRow, NONE, Rows, VehicleClass, beside_row, node_flags};

@@ -1,6 +1,6 @@
 //! Tells of blocks of lanes which sections and roads their rows lead to.
 
-use mapd_archive::packed_index::BLOCK;
+use mapd_archive::packed_index::LANES_PER_BLOCK;
 use mapd_archive::{LaneBlockRow, LaneRow, Rows};
 
 /// Fills `lane_blocks`.
@@ -20,5 +20,6 @@ pub(crate) fn build(rows: &mut Rows) {
         }
         block
     };
-    rows.lane_blocks = rows.lanes.chunks(BLOCK as usize).map(block).collect::<Vec<_>>().into();
+    rows.lane_blocks =
+        rows.lanes.chunks(LANES_PER_BLOCK as usize).map(block).collect::<Vec<_>>().into();
 }

@@ -67,10 +67,10 @@ fn which(map: &str, served: &[String]) -> String {
     format!("served are {}{meant}", served.join(", "))
 }
 
-/// Maps that have a daemon. Who cannot see the domain sees none.
-fn served(domain: &Domain) -> Vec<String> {
+/// Other maps that have a daemon: that of the one asked for may be ending. Who cannot see the domain sees none.
+fn others_served(domain: &Domain, map: &str) -> Vec<String> {
     let maps = list_maps(domain).unwrap_or_default();
-    maps.into_iter().filter(|map| map.alive).map(|map| map.name).collect()
+    maps.into_iter().filter(|one| one.alive && one.name != map).map(|one| one.name).collect()
 }
 
 /// Asks the daemon that serves `map`, and waits for its answer at most so long.
@@ -86,7 +86,7 @@ pub fn ask(
         let map = map.to_owned();
         match error.kind() {
             io::ErrorKind::NotFound | io::ErrorKind::ConnectionRefused => {
-                AskError::NoDaemon { map, served: served(domain) }
+                AskError::NoDaemon { served: others_served(domain, &map), map }
             }
             io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => AskError::Late { map, wait },
             io::ErrorKind::BrokenPipe

@@ -111,7 +111,7 @@ pub(crate) fn check_name(name: &str, taken: &mut BTreeSet<String>) -> Result<(),
         return Ok(());
     }
     Err(UsageError(format!(
-        "two maps would be named {name}; give one another name, or serve it from a daemon of its own with --name"
+        "two maps would be named {name}; give one another name (of a folder's maps, list the files one by one), or serve it from a daemon of its own with --name"
     )))
 }
 

@@ -23,7 +23,7 @@ pub fn double(raw: &[u8]) -> Lexical<f64> {
     }
 }
 
-/// Zero with as many digits and as much of an exponent as exporters write: what half of the numbers of many maps are.
+/// Zero with as many digits and as much of an exponent as exporters write: many maps have many of them.
 const ZERO: &[u8; 22] = b"0.0000000000000000e+00";
 /// How long its beginning is without an exponent, and with one.
 const DIGITS: usize = 18;

@@ -170,7 +170,7 @@ fn doubles_are_rounded_correctly() {
     }
 }
 
-/// Whatever the bytes are, there is a value or a quirk, and values are finite.
+/// Zeros as exporters write them, and what is like them, read as the standard library reads them.
 #[test]
 fn zeros_are_those_of_the_standard_library() {
     let zero = "0.0000000000000000e+00";
@@ -192,6 +192,7 @@ fn zeros_are_those_of_the_standard_library() {
     }
 }
 
+/// Whatever the bytes are, there is a value or a quirk, and values are finite.
 #[test]
 fn any_bytes_are_read() {
     let mut random = Random(7);

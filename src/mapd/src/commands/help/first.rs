@@ -100,7 +100,8 @@ pub(super) fn page(program: &Command, most: usize) -> StyledStr {
 fn columns() -> usize {
     let terminal = terminal_size::terminal_size().map(|(width, _)| usize::from(width.0));
     let told = || std::env::var("COLUMNS").ok()?.parse().ok();
-    terminal.filter(|columns| *columns > 0).or_else(told).unwrap_or(COLUMNS)
+    let is_some = |columns: &usize| *columns > 0;
+    terminal.filter(is_some).or_else(told).filter(is_some).unwrap_or(COLUMNS)
 }
 
 /// Appends words to a line that has `at` characters; further lines are indented.

@@ -15,7 +15,7 @@ use std::io::{self, Write};
 use std::time::{Duration, UNIX_EPOCH};
 
 /// Said at the end of `mapd help query`.
-pub(crate) const HELP: &str = include_str!("columns.txt");
+pub(crate) const HELP: &str = include_str!("columns.txt").trim_ascii_end();
 
 /// What is asked of which map.
 #[derive(Args)]
