@@ -59,7 +59,7 @@ struct Cli {
 }
 
 /// Name of the program, whatever its file is called.
-pub(crate) const PROGRAM: &str = "mapd";
+const PROGRAM: &str = "mapd";
 
 /// Name of the command that compiles.
 const COMPILE: &str = "compile";

@@ -8,7 +8,7 @@ use std::path::Path;
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
 /// What a command writes to stdout.
-fn text(args: &[&str]) -> String {
+pub(crate) fn text(args: &[&str]) -> String {
     let output = run(MAPD, args, "");
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{args:?}: {errors}");

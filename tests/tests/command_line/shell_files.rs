@@ -1,19 +1,9 @@
 //! What `mapd completions` and `mapd man` write, used as shells and man use it.
 
-use mapd_tests::command::run;
+use crate::shell::text;
 use mapd_tests::say;
 use std::path::Path;
 use std::process::Command;
-
-const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
-
-/// What a command writes to stdout.
-fn text(args: &[&str]) -> String {
-    let output = run(MAPD, args, "");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{args:?}: {errors}");
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
 
 /// Commands that people see.
 fn commands() -> Vec<clap::Command> {

@@ -50,10 +50,10 @@ fn row(edge: &Edge, places: &Places) -> EdgeRow {
     }
 }
 
-/// First entry of each node and their number, from ascending nodes.
-fn offsets(nodes: usize, sorted: impl Iterator<Item = u32>) -> Vec<u32> {
+/// First entry of each node and their number, from the node of each entry.
+pub(crate) fn offsets(nodes: usize, entries: impl Iterator<Item = u32>) -> Vec<u32> {
     let mut offsets = vec![0; nodes + 1];
-    for node in sorted {
+    for node in entries {
         if let Some(count) = offsets.get_mut(node as usize + 1) {
             *count += 1;
         }

@@ -4,9 +4,8 @@
 //! for each class; for a higher price of changes too, and for a lower one in proportion.
 
 use super::anchors;
-use super::motor_ways::{
-    CHANGE_LENGTH, CHANGE_TIME, MotorWays, Places, Reached, Weight, both_ways,
-};
+use super::motor_edges::{CHANGE_LENGTH, CHANGE_TIME, Places, Weight};
+use super::motor_ways::{MotorWays, Reached, both_ways};
 use mapd_archive::{NONE, Rows};
 use rayon::prelude::*;
 use std::cmp::Reverse;

@@ -14,6 +14,7 @@ mod gaps;
 mod incoming;
 mod landmarks;
 mod measure;
+mod motor_edges;
 mod motor_ways;
 mod nodes;
 mod report;

@@ -4,95 +4,10 @@
 //! lane. Such a place follows the other: its distance is the other's and the way between. So only places where ways join are
 //! searched. A search backwards has places of its own that follow.
 
-use super::csr::in_order;
-use mapd_archive::{LaneNodeRow, NONE, Rows, VehicleClass, beside_row, node_flags};
+use super::motor_edges::{Edge, Places, Sparse, Weight, edges};
+use mapd_archive::{NONE, Rows};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-
-/// What a change of lane counts `[m]`: as routing counts it by default.
-pub(super) const CHANGE_LENGTH: f32 = 20.0;
-/// What a change of lane counts `[s]`: as routing counts it by default.
-pub(super) const CHANGE_TIME: f32 = 2.0;
-
-/// What an edge costs.
-#[derive(Clone, Copy)]
-pub(super) struct Weight {
-    pub(super) length: f32,
-    pub(super) time: f32,
-}
-
-/// Nodes that motor vehicles may use: each has a place, ascending with the nodes.
-pub(super) struct Places {
-    /// By node its place; [`NONE`] where no motor vehicle may go.
-    pub(super) of_nodes: Vec<u32>,
-    /// Number of places.
-    pub(super) count: usize,
-}
-
-impl Places {
-    pub(super) fn of(rows: &Rows) -> Self {
-        let mut count = 0;
-        let place = |node: &LaneNodeRow| {
-            if node.access & VehicleClass::MOTOR == 0 {
-                return NONE;
-            }
-            count += 1;
-            count - 1
-        };
-        let of_nodes = rows.lane_nodes.iter().map(place).collect();
-        Self { of_nodes, count: count as usize }
-    }
-
-    pub(super) fn get(&self, node: u32) -> u32 {
-        self.of_nodes.get(node as usize).copied().unwrap_or(NONE)
-    }
-
-    /// By place its rank in an order that depends on names only.
-    pub(super) fn ranks(&self, rows: &Rows) -> Vec<u32> {
-        let mut ranks = vec![NONE; self.count];
-        for (rank, node) in in_order(rows).enumerate() {
-            if let Some(own) = ranks.get_mut(self.get(node) as usize) {
-                *own = rank as u32;
-            }
-        }
-        ranks
-    }
-}
-
-/// An edge between places.
-#[derive(Clone, Copy)]
-struct Edge {
-    from: u32,
-    to: u32,
-    weight: Weight,
-}
-
-impl Edge {
-    fn turned(self) -> Self {
-        Self { from: self.to, to: self.from, ..self }
-    }
-}
-
-/// All edges between places, by the node that is left.
-fn edges(rows: &Rows, places: &Places) -> Vec<Edge> {
-    let mut edges = Vec::with_capacity(rows.successors.len());
-    for (number, (node, own)) in rows.lane_nodes.iter().zip(&places.of_nodes).enumerate() {
-        if *own == NONE {
-            continue;
-        }
-        let at = |i: usize| rows.successor_offsets.get(i).copied().unwrap_or(0) as usize;
-        let ahead = rows.successors.get(at(number)..at(number + 1)).unwrap_or(&[]);
-        let pass = Weight { length: node.length, time: node.time };
-        let change = Weight { length: CHANGE_LENGTH, time: CHANGE_TIME };
-        let beside_it = [node.left, node.right].map(|beside| beside_row(number as u32, beside));
-        let sides = [node_flags::CHANGE_LEFT, node_flags::CHANGE_RIGHT].into_iter().zip(beside_it);
-        let beside = sides.filter(|(flag, _)| node.flags & flag != 0);
-        let all = ahead.iter().map(|to| (*to, pass)).chain(beside.map(|(_, to)| (to, change)));
-        let usable = all.map(|(to, weight)| Edge { from: *own, to: places.get(to), weight });
-        edges.extend(usable.filter(|edge| edge.to != NONE));
-    }
-    edges
-}
 
 /// A place that follows another of its tree.
 struct Follower {
@@ -138,39 +53,6 @@ struct InTree {
     number: u32,
 }
 
-/// Edges as compressed sparse rows.
-struct Sparse {
-    offsets: Vec<u32>,
-    /// Place that is entered, and the cost.
-    targets: Vec<(u32, Weight)>,
-}
-
-impl Sparse {
-    fn of(edges: impl Iterator<Item = Edge> + Clone, count: usize) -> Self {
-        let mut offsets = vec![0; count + 1];
-        for edge in edges.clone() {
-            offsets[edge.from as usize + 1] += 1;
-        }
-        for i in 0..count {
-            offsets[i + 1] += offsets[i];
-        }
-        let none = (NONE, Weight { length: 0.0, time: 0.0 });
-        let mut targets = vec![none; offsets[count] as usize];
-        let mut next = offsets.clone();
-        for edge in edges {
-            let at = &mut next[edge.from as usize];
-            targets[*at as usize] = (edge.to, edge.weight);
-            *at += 1;
-        }
-        Self { offsets, targets }
-    }
-
-    fn leaving(&self, place: u32) -> &[(u32, Weight)] {
-        let at = place as usize;
-        &self.targets[self.offsets[at] as usize..self.offsets[at + 1] as usize]
-    }
-}
-
 /// The graph forward and backward.
 pub(super) fn both_ways(rows: &Rows, places: &Places) -> [MotorWays; 2] {
     let edges = edges(rows, places);
@@ -184,7 +66,7 @@ pub(super) fn both_ways(rows: &Rows, places: &Places) -> [MotorWays; 2] {
 
 impl MotorWays {
     fn of(edges: &Sparse) -> Self {
-        let count = edges.offsets.len() - 1;
+        let count = edges.places();
         let mut entered = vec![0u32; count];
         for (to, _) in &edges.targets {
             entered[*to as usize] = entered[*to as usize].saturating_add(1);
