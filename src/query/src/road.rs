@@ -393,8 +393,13 @@ impl<'a> Road<'a> {
     /// (t then lies on the rolled plane below or above the point, h stays unknown).
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
+    #[inline]
     pub fn to_track(&self, point: impl Into<Point>) -> Result<TrackPosition, QueryError> {
-        let point = point.into();
+        self.track_of(point.into())
+    }
+
+    /// As [`to_track`](Self::to_track): one function for all kinds of points.
+    fn track_of(&self, point: Point) -> Result<TrackPosition, QueryError> {
         if !point.is_place() {
             return Err(QueryError::NotFinite);
         }
