@@ -2,6 +2,7 @@
 
 use super::BuildArgs;
 use crate::args::JudgingArgs;
+use crate::similar::did_you_mean;
 use anyhow::Result;
 use clap::parser::ValueSource;
 use clap::{ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint};
@@ -62,7 +63,9 @@ impl CompileArguments {
         let Some(arg) = grammar.get_arguments().find(|arg| arg.get_long() == Some(&long)) else {
             let known = grammar.get_arguments().filter_map(clap::Arg::get_long);
             let known: Vec<String> = known.map(|name| name.replace('-', "_")).collect();
-            return Err(format!("there is no option {name:?}; known are {}", known.join(", ")));
+            let meant = did_you_mean(name, known.iter().map(String::as_str));
+            let known = known.join(", ");
+            return Err(format!("there is no option {name:?}; known are {known}{meant}"));
         };
         let is_path = matches!(arg.get_value_hint(), ValueHint::AnyPath | ValueHint::FilePath);
         let mut added = Vec::new();

@@ -260,7 +260,7 @@ mod tests {
             ("watch = 3", "line 1, column 9", "boolean"),
             ("cache_size = 'big'", "line 1, column 14", "bytes"),
             ("\nprefix = 'a_b_'", "line 2, column 10", "prefix"),
-            ("[options]\nlandmark = 3", "line 2, column 1", "landmarks"),
+            ("[options]\nlandmark = 3", "line 2, column 1", "did you mean \"landmarks\"?"),
             ("[options]\nlandmarks = 99", "line 2, column 1", "99"),
             ("[options]\nlandmarks = true", "line 2, column 13", "number"),
             ("[[map]]\nname = 'x'", "line 1, column 1", "file"),
