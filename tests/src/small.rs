@@ -1,10 +1,12 @@
 //! Shared memory, or another folder, of any size: a thread that sees one of its own, and whatever it starts sees the same.
 
+use crate::tracer::Moment;
 use nix::mount::{MsFlags, mount};
 use nix::sched::{CloneFlags, unshare};
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use syscalls::Sysno;
 
 /// Runs `work` in a thread whose `/dev/shm` is empty and holds at most `bytes`. `None`, with the reason said aloud, where
 /// that is not permitted.
@@ -41,6 +43,29 @@ fn mount_own(folder: &Path, bytes: u64) -> io::Result<()> {
     let options = format!("size={bytes},mode=1777");
     mount(Some("tmpfs"), folder, Some("tmpfs"), MsFlags::empty(), Some(options.as_str()))?;
     Ok(())
+}
+
+/// Moments of a program between which it takes nothing of `/dev/shm`, gives nothing back and does not ask how much is left, as one number: whoever fills it up at
+/// one of them makes the same of it as at any other.
+#[derive(Default)]
+pub struct SameRoom {
+    number: usize,
+    left: Option<[u64; 2]>,
+    asked: bool,
+}
+
+impl SameRoom {
+    /// The number of the moment that has come.
+    ///
+    /// Errors: there is no `/dev/shm`.
+    pub fn number(&mut self, moment: &Moment) -> io::Result<usize> {
+        let room = rustix::fs::statvfs("/dev/shm")?;
+        let left = Some([room.f_bfree, room.f_ffree]);
+        self.number += usize::from(self.asked || left != self.left);
+        self.left = left;
+        self.asked = matches!(moment.name, Sysno::statfs | Sysno::fstatfs);
+        Ok(self.number)
+    }
 }
 
 /// A file that takes all of `/dev/shm` that is left. Dropping it gives it back.

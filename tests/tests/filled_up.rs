@@ -3,7 +3,7 @@
 
 use mapd_client::{Attach, Client};
 use mapd_tests::say;
-use mapd_tests::small::{Filler, in_small_shared_memory};
+use mapd_tests::small::{Filler, SameRoom, in_small_shared_memory};
 use mapd_tests::stage::{DAEMON_PATIENCE, Stage};
 use mapd_tests::tracer::{Moment, Side, Then, Traced};
 use nix::sys::signal::{Signal, kill};
@@ -26,6 +26,13 @@ const STEP: usize = 11;
 
 /// Likewise of a reload, which is longer: it has a compiler.
 const RELOAD_STEP: usize = 41;
+
+/// Of all these moments, one of each number of [`SameRoom`]: filled up at another, the program would meet the same.
+fn chosen(moments: &[(Moment, usize)], step: usize) -> impl Iterator<Item = &Moment> {
+    let before = moments.iter().filter(|(moment, _)| moment.side == Side::Before).step_by(step);
+    let mut last = None;
+    before.filter(move |(_, room)| last.replace(*room) != Some(*room)).map(|(moment, _)| moment)
+}
 
 /// One test at a time: a process that is being forked by one holds, for a moment, the locks of clients of the other, as if they
 /// were still there.
@@ -83,13 +90,13 @@ fn while_a_daemon_starts_publishes_and_stops() {
     let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     in_small_shared_memory(SHARED_MEMORY, || {
         let stage = stage();
-        let mut moments = Vec::new();
+        let (mut moments, mut room) = (Vec::new(), SameRoom::default());
         run(&stage.daemon_command(), |pid, moment| {
-            moments.push(*moment);
+            moments.push((*moment, room.number(moment).expect("shared memory")));
             stop_when_waiting(pid, moment);
         });
         let (mut well, mut told) = (0, 0);
-        for chosen in moments.iter().filter(|m| m.side == Side::Before).step_by(STEP) {
+        for chosen in chosen(&moments, STEP) {
             let mut filler = None;
             let (status, said) = run(&stage.daemon_command(), |pid, moment| {
                 if (moment.thread, moment.call, moment.side)
@@ -172,10 +179,10 @@ fn while_a_daemon_reloads() {
         let map = folder.path().join("one_road.xodr");
         std::fs::copy(mapd_tests::carried("one_road.xodr"), &map).expect("copied");
         let stage = Stage::new(Path::new(MAPD), &map, "x,y\n10,-1.5\n").expect("answers");
-        let mut moments = Vec::new();
+        let (mut moments, mut room) = (Vec::new(), SameRoom::default());
         let mut begun = None;
         let (_, _, first) = reloading(&stage, |moment| {
-            moments.push(*moment);
+            moments.push((*moment, room.number(moment).expect("shared memory")));
             let waits = matches!(moment.name, Sysno::epoll_wait | Sysno::epoll_pwait);
             if moment.thread == 0 && waits && begun.is_none() {
                 begun = Some(moments.len());
@@ -184,7 +191,7 @@ fn while_a_daemon_reloads() {
         first.expect("a reload with room");
         let moments = moments.split_off(begun.expect("it serves"));
         let (mut well, mut told) = (0, 0);
-        for chosen in moments.iter().filter(|m| m.side == Side::Before).step_by(RELOAD_STEP) {
+        for chosen in chosen(&moments, RELOAD_STEP) {
             let mut filler = None;
             let (status, said, held) = reloading(&stage, |moment| {
                 if (moment.thread, moment.call, moment.side)
