@@ -48,13 +48,8 @@ impl Stretch {
         self.entry(id).replace(r#""kind":"closed""#, r#""kind":"open""#)
     }
 
-    /// Writes it into the text of the map: `None` where the lane has no body, or has such records already.
-    pub fn write_into(&self, text: &str) -> Option<String> {
-        self.write(text, &self.records())
-    }
-
     /// The records that say so in a lane.
-    fn records(&self) -> String {
+    pub fn records(&self) -> String {
         let [from, to] = self.s.map(|s| s - self.start);
         match self.speed {
             Some(speed) => format!(
@@ -64,22 +59,13 @@ impl Stretch {
         }
     }
 
-    /// Writes into the text of the map that it is closed for these; `None` as [`Self::write_into`].
-    pub fn write_closed(&self, text: &str, vehicles: &[&str]) -> Option<String> {
-        self.write(text, &self.denials(vehicles))
-    }
-
-    fn denials(&self, vehicles: &[&str]) -> String {
+    /// The records that close it for these.
+    pub fn denials(&self, vehicles: &[&str]) -> String {
         let [from, to] = self.s.map(|s| s - self.start);
         let deny =
             |name: &&str| format!(r#"<access sOffset="{from}" rule="deny" restriction="{name}"/>"#);
         let denied: String = vehicles.iter().map(deny).collect();
         format!(r#"{denied}<access sOffset="{to}" rule="allow" restriction="none"/>"#)
-    }
-
-    fn write(&self, text: &str, records: &str) -> Option<String> {
-        let place = self.place(text, element(text, 0, "road", &self.road)?)?;
-        Some(format!("{}{records}{}", &text[..place], &text[place..]))
     }
 
     /// Where its records go, in the road that begins there.
@@ -100,28 +86,36 @@ impl Stretch {
     }
 }
 
-/// Writes stretches of different lanes into the text of a map, each as [`Stretch::write_into`] does, in one pass; `None` where one cannot be.
-pub fn write_all(stretches: &[Stretch], text: &str) -> Option<String> {
+/// Where records of stretches of different lanes go in the text of a map; `None` of one whose lane has no body, or has such records already.
+pub fn places(stretches: &[Stretch], text: &str) -> Vec<Option<usize>> {
     let begins = text.match_indices("<road ").map(|(at, _)| at);
     let id = |at: usize| {
         let tag = text[at..].split('>').next()?;
         tag.split(" id=\"").nth(1)?.split('"').next()
     };
     let roads: HashMap<&str, usize> = begins.filter_map(|at| Some((id(at)?, at))).collect();
-    let place = |one: &Stretch| {
-        let road = roads.get(one.road.as_str())?;
-        Some((one.place(text, *road)?, one.records()))
-    };
-    let mut places = stretches.iter().map(place).collect::<Option<Vec<_>>>()?;
-    places.sort();
+    let place = |one: &Stretch| one.place(text, *roads.get(one.road.as_str())?);
+    stretches.iter().map(place).collect()
+}
+
+/// The text with records written into it, each at its place.
+pub fn write_at(text: &str, records: impl IntoIterator<Item = (usize, String)>) -> String {
+    let mut records: Vec<(usize, String)> = records.into_iter().collect();
+    records.sort();
     let (mut out, mut written) = (String::with_capacity(text.len()), 0);
-    for (at, records) in places {
+    for (at, record) in records {
         out.push_str(&text[written..at]);
-        out.push_str(&records);
+        out.push_str(&record);
         written = at;
     }
     out.push_str(&text[written..]);
-    Some(out)
+    out
+}
+
+/// Writes stretches of different lanes into the text of a map; `None` where one cannot be.
+pub fn write_all(stretches: &[Stretch], text: &str) -> Option<String> {
+    let places = places(stretches, text).into_iter().collect::<Option<Vec<_>>>()?;
+    Some(write_at(text, places.into_iter().zip(stretches.iter().map(Stretch::records))))
 }
 
 /// Where an element of this name and id begins.
