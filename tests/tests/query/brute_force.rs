@@ -124,12 +124,40 @@ impl<'a> Stretch<'a> {
     }
 }
 
+/// Stretches whose circles lie in order of their centres' x.
+struct Stretches<'a> {
+    all: Vec<Stretch<'a>>,
+    largest: f64,
+}
+
+impl<'a> Stretches<'a> {
+    fn new(mut all: Vec<Stretch<'a>>) -> Self {
+        all.sort_by(|a, b| a.center.x.total_cmp(&b.center.x));
+        let largest = all.iter().map(|stretch| stretch.radius).fold(0.0, f64::max);
+        Self { all, largest }
+    }
+
+    /// Those that may come within a limit of a point: no other circle reaches so far along x.
+    fn around(&self, point: DVec2, limit: f64) -> &[Stretch<'a>] {
+        let reach = limit + self.largest;
+        let from = self.all.partition_point(|stretch| stretch.center.x < point.x - reach);
+        let to = self.all.partition_point(|stretch| stretch.center.x <= point.x + reach);
+        &self.all[from..to]
+    }
+}
+
 /// The smallest distance of a point from any of these, infinite beyond a limit.
-fn nearest<'s>(stretches: impl Iterator<Item = &'s Stretch<'s>>, point: DVec2, limit: f64) -> f64 {
-    let mut candidates: Vec<(f64, &Stretch<'_>)> = stretches
-        .map(|stretch| (point.distance(stretch.center) - stretch.radius, stretch))
-        .filter(|(bound, _)| *bound <= limit)
-        .collect();
+fn nearest(stretches: &Stretches<'_>, point: DVec2, limit: f64) -> f64 {
+    // A circle holds a place of its stretch, so none is farther than the far side of the nearest circle.
+    let (mut candidates, mut limit) = (Vec::new(), limit);
+    for stretch in stretches.around(point, limit) {
+        let away = point.distance(stretch.center);
+        if away - stretch.radius <= limit {
+            candidates.push((away - stretch.radius, stretch));
+            limit = limit.min(away + stretch.radius);
+        }
+    }
+    candidates.retain(|(bound, _)| *bound <= limit);
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut best = f64::INFINITY;
     for (bound, stretch) in candidates {
@@ -157,7 +185,7 @@ fn pairs(cuts: &[f64]) -> impl Iterator<Item = (f64, f64)> {
     cuts.windows(2).map(|pair| (pair[0], pair[1])).filter(move |(a, b)| b - a > sliver)
 }
 
-fn lanes(map: Map<'_>) -> Vec<Stretch<'_>> {
+fn lanes(map: Map<'_>) -> Stretches<'_> {
     let of = |lane: Lane<'_>| {
         let section = lane.section();
         cuts(
@@ -166,17 +194,16 @@ fn lanes(map: Map<'_>) -> Vec<Stretch<'_>> {
             lane.shape_breaks(),
         )
     };
-    map.lanes()
-        .flat_map(|lane| {
-            let cuts = of(lane);
-            let pairs: Vec<_> = pairs(&cuts).collect();
-            pairs.into_iter().map(move |(a, b)| Stretch::new(Some(lane), lane.road(), a, b))
-        })
-        .collect()
+    let stretches = map.lanes().flat_map(|lane| {
+        let cuts = of(lane);
+        let pairs: Vec<_> = pairs(&cuts).collect();
+        pairs.into_iter().map(move |(a, b)| Stretch::new(Some(lane), lane.road(), a, b))
+    });
+    Stretches::new(stretches.collect())
 }
 
 /// Per road, its reference line.
-fn reference_lines(map: Map<'_>) -> Vec<Vec<Stretch<'_>>> {
+fn reference_lines(map: Map<'_>) -> Vec<Stretches<'_>> {
     let of = |road: Road<'_>| {
         let breaks = road.section(0).and_then(|section| section.lane(0));
         let breaks = breaks.into_iter().flat_map(|lane| lane.shape_breaks());
@@ -184,13 +211,15 @@ fn reference_lines(map: Map<'_>) -> Vec<Vec<Stretch<'_>>> {
     };
     map.roads()
         .map(|road| {
-            of(road).windows(2).map(|pair| Stretch::new(None, road, pair[0], pair[1])).collect()
+            let cuts = of(road);
+            let stretches = cuts.windows(2).map(|pair| Stretch::new(None, road, pair[0], pair[1]));
+            Stretches::new(stretches.collect())
         })
         .collect()
 }
 
 /// A point of the map: anywhere, or, more often, on or beside a lane.
-fn point(map: Map<'_>, lanes: &[Stretch<'_>], random: &mut Random) -> DVec2 {
+fn point(map: Map<'_>, Stretches { all: lanes, .. }: &Stretches<'_>, random: &mut Random) -> DVec2 {
     if random.unit() < 0.2 {
         return random.point(map);
     }
@@ -211,7 +240,7 @@ fn what_is_found_is_the_nearest_of_all() {
         for i in 0..POINTS {
             let point = point(map, &lanes, &mut random);
             let context = || format!("{}, {point}", path.display());
-            let expected = nearest(lanes.iter(), point, RADIUS);
+            let expected = nearest(&lanes, point, RADIUS);
             let hit = map.nearest_lane(point, &options).expect("an answer");
             let Some(hit) = hit else {
                 assert!(expected > RADIUS - TOLERANCE, "{} missed {expected}", context());
@@ -239,7 +268,7 @@ fn what_is_found_is_the_nearest_of_all() {
             let other = (i % OTHER_ROAD == 0).then_some(i / OTHER_ROAD % lines.len());
             for row in [Some(own), other].into_iter().flatten() {
                 let road = map.roads().nth(row).expect("a road");
-                let expected = nearest(lines[row].iter(), point, f64::INFINITY);
+                let expected = nearest(&lines[row], point, f64::INFINITY);
                 let track = road.to_track(point).expect("a foot");
                 assert!(
                     (track.distance - expected).abs() <= TOLERANCE,

@@ -127,7 +127,10 @@ fn kill_at_another(scene: &Scene, met: &BTreeSet<Met>) -> Option<(ExitStatus, Me
     let before = scene.names();
     let (mut begun, mut calls, mut when) = (false, BTreeMap::new(), ("at its end".to_owned(), 0));
     let ended = traced.run(|moment| {
-        begun |= moment.side == Side::After && names(&scene.out()) != before;
+        // Nothing else changes the names in a folder.
+        let may_name =
+            ["open", "rename", "link"].iter().any(|part| moment.name.name().contains(part));
+        begun = begun || moment.side == Side::After && may_name && names(&scene.out()) != before;
         // The others wait, or end.
         if !begun || moment.thread != 0 {
             return Then::Continue;
