@@ -292,13 +292,11 @@ fn check(format: &str, georeference: &str, frame: &[&str]) {
         let mut all = counts(snapshot.map());
         // GDAL knows no columns of a GeoJSON file without features.
         all.retain(|_, count| *count > 0 || format != "geojson");
+        let Some(listed) = ogrinfo(&folder.path().join("all"), &["-q", "-geom=NO"]) else { return };
         for (layer, expected) in &all {
-            let clause = format!("layer = '{layer}'");
-            let Some(summary) = ogrinfo(&folder.path().join("all"), &["-so", "-where", &clause])
-            else {
-                return;
-            };
-            assert_eq!(feature_count(&summary), *expected, "{layer} of {name}");
+            let column = format!("layer (String) = {layer}");
+            let found = listed.lines().filter(|line| line.trim() == column).count();
+            assert_eq!(found, *expected, "{layer} of {name}");
             export(&[name, "--format", format, "--layers", layer, "-o", "one"], folder.path());
             let summary = ogrinfo(&folder.path().join("one"), &["-so"]).expect("GDAL");
             assert_eq!(feature_count(&summary), *expected, "{layer} of {name} alone");
@@ -320,7 +318,15 @@ fn gdal_reads_geojson() {
 #[test]
 fn gdal_reads_flatgeobuf() {
     check("flatgeobuf", UTM, &["ID[\"EPSG\",32632]"]);
+}
+
+#[test]
+fn gdal_reads_flatgeobuf_in_a_plane_of_its_own() {
     check("flatgeobuf", OWN_PLANE, &["PROJCRS[", "298.257222101", "0.9999"]);
+}
+
+#[test]
+fn gdal_reads_flatgeobuf_of_another_ellipsoid() {
     check("flatgeobuf", OTHER_ELLIPSOID, &["ID[\"EPSG\",4326]"]);
 }
 
