@@ -202,9 +202,8 @@ pub const BINS: usize = 5;
 const APART: f64 = 1.2;
 /// Around a true place, in which other lanes count `[m]`.
 const AROUND: f64 = 6.0;
-/// Step along a lane, of the places where a vehicle may have been `[m]`: two thirds of the deviation of 0.3 m that is judged, at which a sum over a normal density
-/// is its integral to 1e-18.
-const PLACE_STEP: f64 = 0.2;
+/// Step along a lane, of the places where a vehicle may have been `[m]`.
+const PLACE_STEP: f64 = 0.1;
 /// Deviations of a place's distance from a fix, from which on it does not count.
 const FAR: f64 = 8.0;
 
