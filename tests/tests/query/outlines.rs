@@ -91,7 +91,7 @@ fn check_averaged(map: Map<'_>, seed: u64, poses: usize, outline: VehicleOutline
         let heading = near.position.heading + random.between(-0.5, 0.5) * (1.0 + turn.min(2.0));
         let at = pose(point, heading);
         let none = map.match_pose(&at, &spread, &options, &mut out).expect("an answer");
-        // Of the density along any direction no part is longer than two deviations.
+        // Parts of the average are no longer than the smaller deviation.
         let part = x.min(y).max(0.3);
         let (expected, none_expected) = averaged(map, &at, &spread, &plain, &outline, part);
         let close = |what: &str, got: f64, wanted: f64| {

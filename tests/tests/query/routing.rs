@@ -27,8 +27,7 @@ const MAPS: [&str; 10] = [
 ];
 /// Pairs of places on each map.
 const PAIRS: usize = 1000;
-/// The same of maps of 300 km, where each takes twenty times as long. What is special about them is how far the ways lead; everything that a way can meet is among the
-/// pairs of the other maps.
+/// The same of maps of 300 km, where each takes longer. What is special about them is how far ways lead; what else a way can meet, the pairs of the other maps do.
 const LONG_PAIRS: usize = 400;
 /// Pairs that share a start: the oracle finds the ways to many targets at once.
 const PER_START: usize = 25;
