@@ -40,6 +40,9 @@ EXACT, SHARE = 1e-6, 1e-3
 ASIDE, REACH = 2.5, 8.0
 # Around a foot, in which a polyline is looked at for bends [m].
 NEAR = 2.0
+# Along a road, in which it bends sharply if its direction turns by more than [`TURN`] [m]. There, lanes are open or lie on themselves: an area between
+# polylines is another one.
+SHARP = 0.1
 # So near to a section's end a place belongs to either [m].
 SECTION = 1e-6
 # Lanes nearer than this, in deviations, are clear candidates: both know them.
@@ -138,12 +141,19 @@ def by_mapd(one, poses, kinds):
 
 
 def nearest_by_mapd(one, poses, kinds):
-    """Of each pose the nearest lane's distance [m], if there is one."""
+    """Of each pose the nearest lane's distance [m], its road and s there, if there is one."""
     rows = io.StringIO()
     csv.writer(rows).writerows([["x", "y"], *(pose[:2] for pose, *_ in poses.poses)])
     asked = ["query", one.source, "nearest", "--types", ",".join(kinds), "--radius", str(REACH)]
     for row in csv.DictReader(io.StringIO(run(one.mapd, *asked, given=rows.getvalue()))):
-        yield float(row["distance"]) if row["lane"] else None
+        yield (float(row["distance"]), row["road_id"], float(row["s"])) if row["lane"] else (None, None, None)
+
+
+def bends(one, road, s):
+    """Whether a road bends sharply at s."""
+    rows = f"road_id,s,t\n{road},{max(0.0, s - SHARP)},0\n{road},{s + SHARP},0\n"
+    before, behind = (float(row["hdg"]) for row in csv.DictReader(io.StringIO(run(one.mapd, "query", one.source, "inertial", given=rows))))
+    return abs(math.remainder(behind - before, math.tau)) > TURN
 
 
 def nearest_by_lanelet2(one, poses):
@@ -206,13 +216,15 @@ class Comparison:
         for n, (mine, theirs) in enumerate(zip(by_mapd(one, poses, kinds), by_lanelet2(one, poses), strict=True)):
             self.pose(one, n, poses.poses[n], mine, theirs)
             self.rank(poses.poses[n], mine, theirs)
-        for n, (mine, theirs) in enumerate(zip(nearest_by_mapd(one, poses, kinds), nearest_by_lanelet2(one, poses), strict=True)):
+        for n, ((mine, road, at), theirs) in enumerate(zip(nearest_by_mapd(one, poses, kinds), nearest_by_lanelet2(one, poses), strict=True)):
             if mine is None or theirs is None:
                 near = min(distance for distance in (mine, theirs, REACH) if distance is not None) < REACH - 2 * PLACE
                 self.count("nearest known to one alone", (one.source.name, n, mine, theirs) if near else None)
+            elif abs(mine - theirs) <= PLACE:
+                self.count("nearest alike")
             else:
-                same = abs(mine - theirs) <= PLACE
-                self.count("nearest alike" if same else "nearest differs", None if same else (one.source.name, n, mine, theirs))
+                why = "the road bends sharply there" if bends(one, road, at) else None
+                self.count(f"nearest differs: {why}", None if why else (one.source.name, n, mine, theirs))
 
     def rank(self, given, mine, theirs):
         """Counts pairs of lanes that both know and whose distances are far from each other, by whether both put them in one order. Distances that agree
