@@ -55,6 +55,31 @@ fn sources(folders: &[&str]) -> String {
     text
 }
 
+/// What of the folders beside the pages the site holds, as `docs/build` copies it; of others it has the pages.
+const ON_THE_SITE: [&str; 5] = ["examples", "schemas", ".ci", "LICENSE-APACHE", "LICENSE-MIT"];
+
+#[test]
+fn pages_link_only_to_what_the_site_holds() {
+    let build = fs::read_to_string(workspace().join("docs/build")).expect("the script can be read");
+    let copied = build.lines().find(|line| line.starts_with("git ls-files")).expect("it copies");
+    assert!(ON_THE_SITE.iter().all(|part| copied.contains(part)), "{copied}");
+    let mut links = 0;
+    for entry in fs::read_dir(workspace().join("docs")).expect("there are pages").flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if !name.ends_with(".md") {
+            continue;
+        }
+        let text = page(&name);
+        for target in text.split("](../").skip(1).filter_map(|rest| rest.split([')', '#']).next()) {
+            let is_there = target.ends_with(".md")
+                || ON_THE_SITE.iter().any(|part| Path::new(target).starts_with(part));
+            assert!(is_there, "{name} links to {target}, which the site has not");
+            links += 1;
+        }
+    }
+    assert!(links > 0, "no page links beyond its folder");
+}
+
 #[test]
 fn messages_that_troubleshooting_explains_exist() {
     let told = sources(&SPEAKERS);
