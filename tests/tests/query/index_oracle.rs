@@ -10,9 +10,8 @@ use std::path::PathBuf;
 
 /// Points per map for the index.
 const POINTS: usize = 20_000;
-/// Points per map for the nearest lane; each looks at every lane. Few are enough: `brute_force` asks for the nearest lane of a thousand points of each of these
-/// maps, and knows nothing of the projection.
-const LANE_POINTS: usize = 60;
+/// Points per map for the nearest lane; each looks at every lane.
+const LANE_POINTS: usize = 300;
 /// Farthest search `[m]`.
 const RADIUS: f64 = 200.0;
 

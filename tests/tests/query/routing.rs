@@ -27,8 +27,6 @@ const MAPS: [&str; 10] = [
 ];
 /// Pairs of places on each map.
 const PAIRS: usize = 1000;
-/// The same of maps of 300 km, where each takes longer. What is special about them is how far ways lead; what else a way can meet, the pairs of the other maps do.
-const LONG_PAIRS: usize = 400;
 /// Pairs that share a start: the oracle finds the ways to many targets at once.
 const PER_START: usize = 25;
 /// Costs may differ by rounding of sums.
@@ -198,7 +196,7 @@ fn as_plain_dijkstra_on_a_large_town() {
     std::fs::write(&path, text).expect("written");
     let snapshot = open(&path);
     assert!(snapshot.map().road_length() > 300e3);
-    check_map("town of 46 × 46", &snapshot, LONG_PAIRS);
+    check_map("town of 46 × 46", &snapshot, PAIRS);
 }
 
 /// A network of SUMO's netgenerate with turn lanes, of 299 km and more, where the tools are installed: on the path or in
@@ -211,7 +209,7 @@ fn as_plain_dijkstra_on_a_network_of_sumo() {
     };
     let snapshot = open(&path);
     assert!(snapshot.map().road_length() > 300e3);
-    check_map("grid of SUMO", &snapshot, LONG_PAIRS);
+    check_map("grid of SUMO", &snapshot, PAIRS);
 }
 
 #[test]

@@ -127,9 +127,10 @@ fn kill_at_another(scene: &Scene, met: &BTreeSet<Met>) -> Option<(ExitStatus, Me
     let before = scene.names();
     let (mut begun, mut calls, mut when) = (false, BTreeMap::new(), ("at its end".to_owned(), 0));
     let ended = traced.run(|moment| {
-        // Nothing else changes the names in a folder.
-        let may_name =
-            ["open", "rename", "link"].iter().any(|part| moment.name.name().contains(part));
+        // Nothing else that a writer calls changes the names in a folder.
+        let may_name = ["open", "rename", "link", "mkdir"]
+            .iter()
+            .any(|part| moment.name.name().contains(part));
         begun = begun || moment.side == Side::After && may_name && names(&scene.out()) != before;
         // The others wait, or end.
         if !begun || moment.thread != 0 {
