@@ -3,13 +3,10 @@
 //! A lane's row names its section, that its road, that its records: in a map that no cache holds each step waits for memory.
 //! What is known without the step before, and what several candidates need, is waited for side by side.
 
-use crate::index::LaneSegment;
+use crate::held::HeldBy;
 use mapd_archive::packed_index::LANES_PER_BLOCK;
 use mapd_archive::{ArchivedCubicRow, ArchivedGeometryRow, Range, Tables};
 use std::hint::black_box;
-
-/// Candidates that are read ahead together.
-pub(crate) const TOGETHER: usize = 8;
 
 /// Reads ahead the rows of a lane that may hold a point, its section and its road; what the map does not have counts for nothing.
 ///
@@ -33,10 +30,10 @@ pub(crate) fn rows(tables: &Tables<'_>, lane: u32) {
 /// Reads ahead what the rows of several candidates name. How much that is, is known only when the rows have come: call `rows` of all candidates
 /// first.
 #[inline]
-pub(crate) fn records(tables: &Tables<'_>, places: &[LaneSegment]) {
+pub(crate) fn records(tables: &Tables<'_>, candidates: &[HeldBy]) {
     // Where a search among rows begins; `begun` waits for the others of few rows side by side.
     let middle = |range: Range| range.first.wrapping_add(range.count / 2) as usize;
-    for place in places {
+    for HeldBy { stretch: place, .. } in candidates {
         let Some(lane) = tables.lanes.get(place.lane as usize) else { continue };
         let Some(section) = tables.sections.get(lane.section() as usize) else { continue };
         let Some(road) = tables.roads.get(section.road() as usize) else { continue };

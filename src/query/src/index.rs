@@ -365,31 +365,46 @@ fn outside_heights(leaf: &ArchivedIndexLeafRow, low: f64, high: f64) -> u32 {
 /// A little more than the rounding of the products in [`places_around`], as a share.
 pub(crate) const PRODUCTS: f32 = 1.0 + 1.0 / (1 << 20) as f32;
 
-/// The places of a leaf whose rectangle around the segment holds the point, as bits: those whose lower bound is 0. No root
-/// and no quotient is taken. With `heights`, without those outside.
+/// The places of a leaf whose rectangles around their segments hold a point.
+pub(crate) struct PlacesAround {
+    /// As bits.
+    pub(crate) places: u32,
+    /// Squared distances of the point from the lines through the segments, of all places `[m²]`.
+    pub(crate) beside_squared: [f32; WIDTH],
+}
+
+/// The places of a leaf whose rectangle around the segment holds the point: those whose lower bound is 0. No root is taken. With
+/// `heights`, without those outside.
 #[inline]
 pub(crate) fn places_around(
     leaf: &ArchivedIndexLeafRow,
     qx: f32,
     qy: f32,
     heights: Option<[f64; 2]>,
-) -> u32 {
+) -> PlacesAround {
     let (reach, overshoot) = (leaf.reach(), leaf.overshoot());
     let any = (0..WIDTH).fold(false, |any, k| any | (reach[k] == ANY) | (overshoot[k] == ANY));
-    let around =
+    let mut around =
         if any { unlimited_rectangles(leaf, qx, qy) } else { rectangles::<false>(leaf, qx, qy) };
-    heights.map_or(around, |[low, high]| around & !outside_heights(leaf, low, high))
+    if let Some([low, high]) = heights {
+        around.places &= !outside_heights(leaf, low, high);
+    }
+    around
 }
 
 #[cold]
 #[inline(never)]
-fn unlimited_rectangles(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -> u32 {
+fn unlimited_rectangles(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -> PlacesAround {
     rectangles::<true>(leaf, qx, qy)
 }
 
-/// The places of a leaf whose rectangle holds the point, as bits; `ANY_REACH`: whether some may be unlimited.
+/// As [`places_around`], of all heights; `ANY_REACH`: whether some rectangles may be unlimited.
 #[inline(always)]
-fn rectangles<const ANY_REACH: bool>(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f32) -> u32 {
+fn rectangles<const ANY_REACH: bool>(
+    leaf: &ArchivedIndexLeafRow,
+    qx: f32,
+    qy: f32,
+) -> PlacesAround {
     let Segments { start: [ax, ay], delta: [dx, dy] } = Segments::of(leaf);
     let (reach, overshoot) = (leaf.reach(), leaf.overshoot());
     let distance = |units: u16| {
@@ -397,6 +412,7 @@ fn rectangles<const ANY_REACH: bool>(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f
     };
     // 1 where the point lies outside, else 0. What is no number is not outside.
     let mut outside = [0f32; WIDTH];
+    let mut beside_squared = [0f32; WIDTH];
     for k in 0..WIDTH {
         let (ex, ey) = (qx - ax[k], qy - ay[k]);
         let squared = more(dx[k] * dx[k] + dy[k] * dy[k], f32::MIN_POSITIVE);
@@ -409,8 +425,9 @@ fn rectangles<const ANY_REACH: bool>(leaf: &ArchivedIndexLeafRow, qx: f32, qy: f
         let beside = sideways * sideways > reach * reach * squared;
         let beyond = past * past > overshoot * overshoot * squared;
         outside[k] = if beside | beyond { 1.0 } else { 0.0 };
+        beside_squared[k] = sideways * sideways / squared;
     }
-    places_within(&outside, 0.0)
+    PlacesAround { places: places_within(&outside, 0.0), beside_squared }
 }
 
 /// The segment of any lane's centre line that is nearest to an inertial point, within `radius` `[m]`. This is the bare

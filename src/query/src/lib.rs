@@ -67,6 +67,7 @@ pub mod graph;
 mod grid;
 mod ground;
 mod groups;
+mod held;
 mod ids;
 mod index;
 mod junction;

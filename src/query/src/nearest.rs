@@ -2,7 +2,8 @@
 
 use crate::area::{self, Cross, Slab, SlabPosition};
 use crate::error::QueryError;
-use crate::fetch::{self, TOGETHER};
+use crate::fetch;
+use crate::held::Held;
 use crate::ids::LaneId;
 use crate::index::{self, LaneSegment};
 use crate::lane::Lane;
@@ -117,6 +118,12 @@ impl NearestOptions {
             && self.radius.is_finite()
             && numbers.iter().flatten().all(|n| n.is_finite());
         if finite { Ok(()) } else { Err(QueryError::NotFinite) }
+    }
+
+    /// Whether the offset alone decides among lanes that hold a point: one whose centre is farther than that of the best cannot be better.
+    #[inline]
+    pub(crate) fn is_by_offset(&self, point: Point) -> bool {
+        point.z.is_none() && self.heading.is_none()
     }
 
     /// Between which heights lanes count, if only some do.
@@ -248,6 +255,14 @@ impl<'a> Best<'a> {
         }
         is_better
     }
+
+    /// Whether it lies in a lane whose centre is nearer than this `[m]`.
+    #[inline]
+    pub(crate) fn is_nearer_than(&self, off_centre: f32) -> bool {
+        self.0.as_ref().is_some_and(|best| {
+            best.distance() == 0.0 && best.place.offset.abs() < f64::from(off_centre)
+        })
+    }
 }
 
 impl<'a> Map<'a> {
@@ -305,31 +320,45 @@ impl<'a> Map<'a> {
     ) -> Option<Candidate<'a>> {
         let heights = options.heights(point);
         let mut best = Best::default();
-        let mut decide = |places: &[LaneSegment]| {
-            fetch::records(self.tables(), places);
-            for place in places {
-                best.consider(self.candidate_around(*place, point, local, options), *self, options);
-            }
-        };
-        let mut around = [LaneSegment::NONE; TOGETHER];
-        let mut count = 0;
+        let is_by_offset = options.is_by_offset(point);
+        let mut held = Held::new(is_by_offset.then(|| self.index_tolerance()));
         index::visit_around(self.tables(), local, heights, |leaf, qx, qy| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
-            let mut places = index::places_around(leaf, qx, qy, heights);
+            let around = index::places_around(leaf, qx, qy, heights);
+            let mut places = around.places;
             while places != 0 {
                 let k = places.trailing_zeros() as usize;
                 places &= places - 1;
-                if count == TOGETHER {
-                    decide(&around);
-                    count = 0;
+                if held.is_full() {
+                    self.decide(&held, &mut best, point, local, options);
+                    held.clear();
                 }
-                fetch::rows(self.tables(), lanes[k]);
-                around[count] = LaneSegment { lane: lanes[k], segment: segments[k] };
-                count += 1;
+                let stretch = LaneSegment { lane: lanes[k], segment: segments[k] };
+                if held.add(stretch, around.beside_squared[k], leaf.step()) {
+                    fetch::rows(self.tables(), lanes[k]);
+                }
             }
         });
-        decide(around.get(..count).unwrap_or_default());
+        self.decide(&held, &mut best, point, local, options);
         best.0
+    }
+
+    /// Decides on the exact curves which of the lanes that hold a point is the best.
+    fn decide(
+        &self,
+        held: &Held,
+        best: &mut Best<'a>,
+        point: Point,
+        local: DVec2,
+        options: &NearestOptions,
+    ) {
+        fetch::records(self.tables(), held.promising());
+        for held in held.stretches() {
+            if !best.is_nearer_than(held.off_centre) {
+                let found = self.candidate_around(held.stretch, point, local, options);
+                best.consider(found, *self, options);
+            }
+        }
     }
 
     /// The nearest of the lanes, where none holds the point; `known`, if any, is one of them.

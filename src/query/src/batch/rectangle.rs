@@ -1,9 +1,13 @@
 //! The rectangle around one segment of the index, apart from its leaf.
 
+use crate::held::slack;
 use crate::index::PRODUCTS;
 use glam::DVec2;
 use mapd_archive::ArchivedIndexLeafRow;
 use mapd_archive::packed_index::{ANY, REACH_UNIT};
+
+/// Square of a distance from a rectangle's middle line, times that of its segment's length.
+pub(super) struct Beside(f32);
 
 /// What [`crate::index::places_around`] tests for one place of a leaf, in the same numbers.
 #[derive(Clone, Copy)]
@@ -17,6 +21,8 @@ pub(super) struct Rectangle {
     /// Squares of how far the rectangle reaches sideways, and ahead and back, times that.
     reach: f32,
     overshoot: f32,
+    /// How far the lane's centre may be from the line through the segment `[m]`.
+    slack: f32,
 }
 
 impl Rectangle {
@@ -28,10 +34,11 @@ impl Rectangle {
         squared: 0.0,
         reach: -1.0,
         overshoot: -1.0,
+        slack: f32::INFINITY,
     };
 
-    /// Of the k-th place; `k` is below the leaf's width.
-    pub(super) fn of(leaf: &ArchivedIndexLeafRow, k: usize) -> Self {
+    /// Of the k-th place; `k` is below the leaf's width. The tolerance is the map's.
+    pub(super) fn of(leaf: &ArchivedIndexLeafRow, k: usize, tolerance: f32) -> Self {
         let step = leaf.step();
         let place = |values: &[u16; 16]| f32::from(values[k]);
         let (start_x, start_y) = (place(leaf.start_x()), place(leaf.start_y()));
@@ -50,12 +57,13 @@ impl Rectangle {
             squared,
             reach: square(leaf.reach()[k]),
             overshoot: square(leaf.overshoot()[k]),
+            slack: slack(tolerance, step),
         }
     }
 
-    /// Whether it holds a point, relative to the local origin. What is no number is not outside.
+    /// How far beside the line through the segment a point lies that it holds, relative to the local origin. What is no number is not outside.
     #[inline(always)]
-    pub(super) fn holds(&self, local: DVec2) -> bool {
+    pub(super) fn holds(&self, local: DVec2) -> Option<Beside> {
         let (qx, qy) = ((local.x - self.corner.x) as f32, (local.y - self.corner.y) as f32);
         let (ex, ey) = (qx - self.start[0], qy - self.start[1]);
         let [dx, dy] = self.delta;
@@ -64,6 +72,12 @@ impl Rectangle {
         let past = (-forward).max(forward - self.squared).max(0.0);
         let beside = sideways * sideways > self.reach;
         let beyond = past * past > self.overshoot;
-        !(beside | beyond)
+        (!(beside | beyond)).then_some(Beside(sideways * sideways))
+    }
+
+    /// The lane's centre is not nearer than this `[m]`.
+    #[inline]
+    pub(super) fn off_centre(&self, Beside(beside): Beside) -> f32 {
+        (beside / self.squared).sqrt() - self.slack
     }
 }

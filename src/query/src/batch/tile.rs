@@ -96,6 +96,7 @@ impl<'a> Tile<'a> {
         let slack = SLACK + SLACK_SHARE * low.abs().max(high.abs()).max_element();
         let (low, high) = (low - slack, high + slack);
         let (middle, reach) = (0.5 * (low + high), 0.5 * (high - low).length() + slack);
+        let tolerance = map.index_tolerance() as f32;
         let mut fits = true;
         index::visit_box(map.tables(), low, high, |leaf| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
@@ -104,7 +105,7 @@ impl<'a> Tile<'a> {
             for k in 0..lower.len() {
                 if fits && f64::from(lower[k]) <= reach && lanes[k] != NONE {
                     let segment = usize::from(segments[k]);
-                    fits = self.add(lanes[k], segment, Rectangle::of(leaf, k), types);
+                    fits = self.add(lanes[k], segment, Rectangle::of(leaf, k, tolerance), types);
                 }
             }
         });
@@ -133,9 +134,14 @@ impl<'a> Tile<'a> {
         options: &NearestOptions,
     ) -> Around<'a> {
         let (mut best, mut nearest) = (Best::default(), None);
+        let is_by_offset = options.is_by_offset(point);
         let rectangles = self.rectangles.get(..self.count).unwrap_or_default();
         for (k, rectangle) in rectangles.iter().enumerate() {
-            if !rectangle.holds(local) {
+            let Some(beside) = rectangle.holds(local) else { continue };
+            if is_by_offset
+                && nearest.is_some()
+                && best.is_nearer_than(rectangle.off_centre(beside))
+            {
                 continue;
             }
             let Some(Some(stretch)) = self.stretches.get(k) else { continue };
