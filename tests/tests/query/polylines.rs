@@ -1,12 +1,13 @@
 //! Polylines never lie farther from the exact lines than the options say: dense comparison, several tolerances.
 
+use mapd_client::batch::{BatchScratch, NearestLanes, Places};
 use mapd_client::compiling::ByRow as _;
 use mapd_client::compiling::SectionCutter;
-use mapd_client::glam::DVec3;
+use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::roads::Polyline;
-use mapd_client::{Lane, Snapshot, Track};
+use mapd_client::{Lane, Nearest, NearestOptions, Snapshot, Track};
 use mapd_compiler::{CompileOptions, compile};
-use mapd_tests::maps::carried_and;
+use mapd_tests::maps::{Random, carried_and};
 use std::path::Path;
 
 /// Maps besides the carried ones.
@@ -26,6 +27,10 @@ const MAPS: [&str; 12] = [
 ];
 /// Places compared between two points of a polyline.
 const PLACES: usize = if cfg!(debug_assertions) { 7 } else { 31 };
+/// Lanes of each map with places where the nearest of several lanes is compared.
+const OVERLAPS: usize = 500;
+/// Two lanes whose offsets differ by less than this `[m]` are equally near but for rounding.
+const TIE: f64 = 1e-9;
 /// Tolerances of centre lines and borders `[m]`: the default, a finer and a coarser pair.
 const TOLERANCES: [(f64, f64); 3] = [(0.05, 0.01), (0.01, 0.002), (0.5, 0.1)];
 /// Single precision of stations relative to their section's start, as a share of the section's length. What the writing of points in few bits
@@ -90,6 +95,49 @@ fn check(snapshot: &Snapshot, name: &str, (center, bound): (f64, f64)) -> usize 
     compared
 }
 
+/// The nearest lane relies on the tolerance: where lanes overlap it leaves out those whose centre line is too far off. It is the first of all that
+/// hold the point, found by looking at each, alone and in a batch. Yields in how many places lanes overlap.
+fn check_overlaps(snapshot: &Snapshot, name: &str) -> usize {
+    let map = snapshot.map();
+    let lanes: Vec<_> = map.lanes().filter(|lane| lane.number() != 0).collect();
+    let (mut random, mut points) = (Random(5), Vec::new());
+    for _ in 0..OVERLAPS {
+        let lane = &lanes[(random.unit() * lanes.len() as f64) as usize];
+        let (s_start, s_end) = (lane.section().s_start(), lane.section().s_end());
+        let s = random.between(s_start, s_end);
+        let edges = lane.edges_at(s);
+        let t = edges.inner + (edges.outer - edges.inner) * random.unit();
+        let at = lane.road().to_inertial(Track { s, t, h: 0.0 }).expect("a pose");
+        // With some around it, so that a batch has something in common.
+        let around = DVec2::new(random.unit(), random.unit());
+        points.extend([0.0, 0.2, 0.4, 0.6].map(|far| at.position.truncate() + around * far));
+    }
+    let (options, mut near) = (NearestOptions { radius: 0.0, ..<_>::default() }, Vec::new());
+    let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (p.x, p.y)).unzip();
+    let places = Places { x: &x, y: &y, z: None, heading: None };
+    let (mut scratch, mut batch) = (BatchScratch::default(), NearestLanes::default());
+    map.nearest_lanes(places, &options, &mut scratch, &mut batch).expect("answers");
+    let mut overlaps = 0;
+    for (i, point) in points.iter().enumerate() {
+        map.lanes_near(*point, &options, &mut near).expect("an answer");
+        let found = map.nearest_lane(*point, &options).expect("an answer");
+        assert_eq!(batch.get(i), found, "{name}: {point}");
+        let lane = |nearest: &Nearest| nearest.lane;
+        let is_tied = |first: &Nearest| {
+            let offsets = found.map(|found| found.position.offset.abs());
+            offsets.is_some_and(|own| (own - first.position.offset.abs()).abs() <= TIE)
+        };
+        let is_first = near.first().map(lane) == found.as_ref().map(lane);
+        assert!(
+            is_first || near.first().is_some_and(is_tied),
+            "{name}: {point}: found {found:?}, expected {:?}",
+            near.first()
+        );
+        overlaps += usize::from(near.len() > 1);
+    }
+    overlaps
+}
+
 /// What is computed for many places at once is what is computed for one: a section's cuts, the points of a line.
 fn check_at_once(lane: &Lane<'_>, name: &str) {
     let (key, section) = (lane.key(), lane.section());
@@ -119,12 +167,16 @@ fn check_at_once(lane: &Lane<'_>, name: &str) {
 
 #[test]
 fn no_polyline_exceeds_its_tolerance() {
+    let mut overlaps = 0;
     for path in carried_and(&MAPS) {
         for tolerances in TOLERANCES {
             let snapshot = open(&path, tolerances);
-            assert!(check(&snapshot, &path.display().to_string(), tolerances) > 0);
+            let name = path.display().to_string();
+            assert!(check(&snapshot, &name, tolerances) > 0);
+            overlaps += check_overlaps(&snapshot, &name);
         }
     }
+    assert!(overlaps > OVERLAPS, "lanes overlap in {overlaps} places");
 }
 
 /// A curve that is back at the same place wherever it is looked at is no straight line: ramps of whole turns.
