@@ -1,7 +1,7 @@
 //! Appends what a part of the document was lowered to, so that the whole is as if it had been lowered in one go.
 
 use super::owners::{Before, move_owners};
-use super::{Draft, interned, joints};
+use super::{Draft, Interned, joints};
 use crate::without::Without;
 use mapd_archive::{RowMapping, Rows};
 use mapd_ontology::Ontology;
@@ -10,17 +10,19 @@ use std::sync::Arc;
 impl Draft {
     /// Of a part of the document, to be appended to what comes before it.
     pub(crate) fn part(ontology: Arc<Ontology>, without: Without) -> Self {
-        let interned = interned::Interned::of_part();
-        Self { rows: Rows::part(), interned, ..Self::new(ontology, without) }
+        let [interned, shapes] = [Interned::of_part(), Interned::of_part()];
+        Self { rows: Rows::part(), interned, shapes, ..Self::new(ontology, without) }
     }
 
-    /// Takes the part of the document that comes next. Strings, cubics and styles that are known already stand for its own;
+    /// Takes the part of the document that comes next. Strings, cubics, numbers of geometries and styles that are known already stand for its own;
     /// each new one comes where it would if the part had been lowered here.
     pub(crate) fn append(&mut self, part: Self) {
         let mut moves = self.rows.moves();
         moves.strings = RowMapping::To(self.strings.append(&part.strings));
         let its_cubics = (&part.interned, part.rows.cubics.as_slice());
         moves.cubics = self.interned.append(&mut self.rows.cubics, its_cubics);
+        let its_numbers = (&part.shapes, part.rows.coefficients.as_slice());
+        moves.coefficients = self.shapes.append(&mut self.rows.coefficients, its_numbers);
         let grids = self.rows.elevation_grids.len();
         moves.road_mark_styles = self.styles.append(&mut self.rows, &part.rows, &moves);
         moves.road_marks =

@@ -1,12 +1,14 @@
-//! Cubic records, each sequence of them once.
+//! Cubic records and numbers of geometries, each sequence of them once.
 //!
-//! Most lanes of a section are as wide as their neighbours, and most roads are as flat.
+//! Most lanes of a section are as wide as their neighbours, and most roads are as flat. Most arcs of a map have one of few
+//! curvatures, and its crossings few shapes. Stored once, they take less room, and few of them are waited for.
 
-use mapd_archive::{CubicRow, Range, RowMapping};
+use bytemuck::NoUninit;
+use mapd_archive::{Range, RowMapping};
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 
-/// Where sequences of records lie, by a hash of their bytes.
+/// Where sequences of the rows of one table lie, by a hash of their bytes.
 #[derive(Default)]
 pub(crate) struct Interned {
     known: HashMap<u64, Range>,
@@ -20,17 +22,17 @@ impl Interned {
         Self { known: HashMap::new(), sequences: Some(Vec::new()) }
     }
 
-    /// Takes the records from `before` on; where the same ones are there already, those stand for them.
-    pub(crate) fn add(&mut self, cubics: &mut Vec<CubicRow>, before: usize) -> Range {
-        let Some(new) = cubics.get(before..) else { return Range::default() };
+    /// Takes the rows from `before` on; where the same ones are there already, those stand for them.
+    pub(crate) fn add<T: NoUninit>(&mut self, rows: &mut Vec<T>, before: usize) -> Range {
+        let Some(new) = rows.get(before..) else { return Range::default() };
         let mut hasher = DefaultHasher::new();
         bytemuck::cast_slice::<_, u8>(new).hash(&mut hasher);
-        self.add_hashed(cubics, before, hasher.finish())
+        self.add_hashed(rows, before, hasher.finish())
     }
 
-    fn add_hashed(&mut self, cubics: &mut Vec<CubicRow>, before: usize, hash: u64) -> Range {
-        let own = super::between(before, cubics.len());
-        let bytes = |range: Range| bytemuck::cast_slice::<_, u8>(range.of(cubics));
+    fn add_hashed<T: NoUninit>(&mut self, rows: &mut Vec<T>, before: usize, hash: u64) -> Range {
+        let own = super::between(before, rows.len());
+        let bytes = |range: Range| bytemuck::cast_slice::<_, u8>(range.of(rows));
         let known = *self.known.entry(hash).or_insert(own);
         // Of two sequences with one hash the later one lies for itself.
         if known == own || bytes(known) != bytes(own) {
@@ -39,32 +41,32 @@ impl Interned {
             }
             return own;
         }
-        cubics.truncate(before);
+        rows.truncate(before);
         known
     }
 
-    /// Takes the records from `before` on as they are, whatever is there already.
-    pub(crate) fn add_apart(&mut self, cubics: &[CubicRow], before: usize) -> Range {
-        let own = super::between(before, cubics.len());
+    /// Takes the rows from `before` on as they are, whatever is there already.
+    pub(crate) fn add_apart<T>(&mut self, rows: &[T], before: usize) -> Range {
+        let own = super::between(before, rows.len());
         if let Some(sequences) = &mut self.sequences {
             sequences.push((own, None));
         }
         own
     }
 
-    /// Adds the records of a part in its order; where each of its ranges comes to lie.
-    pub(super) fn append(
+    /// Adds the rows of a part in its order; where each of its ranges comes to lie.
+    pub(super) fn append<T: NoUninit>(
         &mut self,
-        cubics: &mut Vec<CubicRow>,
-        (part, its_cubics): (&Self, &[CubicRow]),
+        rows: &mut Vec<T>,
+        (part, its_rows): (&Self, &[T]),
     ) -> RowMapping {
         let sequences = part.sequences.iter().flatten();
         let places = sequences.map(|(range, hash)| {
-            let before = cubics.len();
-            cubics.extend_from_slice(range.of(its_cubics));
+            let before = rows.len();
+            rows.extend_from_slice(range.of(its_rows));
             let place = match hash {
-                Some(hash) => self.add_hashed(cubics, before, *hash),
-                None => self.add_apart(cubics, before),
+                Some(hash) => self.add_hashed(rows, before, *hash),
+                None => self.add_apart(rows, before),
             };
             (*range, place)
         });

@@ -19,6 +19,7 @@ use mapd_archive::{MapRow, Range, Rows, StringTable};
 use mapd_xodr::Span;
 use std::sync::Arc;
 
+pub(crate) use interned::Interned;
 pub(crate) use joints::Joint;
 pub(crate) use links::{Links, RoadWritten};
 pub(crate) use marks::Styles;
@@ -47,7 +48,10 @@ pub(crate) struct Draft {
     /// Where the map lies on Earth, as the header says it.
     pub(crate) placed: StatedGeoreference,
     pub(crate) styles: Styles,
-    pub(crate) interned: interned::Interned,
+    /// Sequences of cubics.
+    pub(crate) interned: Interned,
+    /// Numbers of geometries.
+    pub(crate) shapes: Interned,
     pub(crate) signals: Signals,
     /// What got rows of the top-level element that is being lowered.
     pub(crate) owners: Owners,

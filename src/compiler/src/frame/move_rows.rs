@@ -1,7 +1,7 @@
 //! Moves what the file has in x, y and z.
 
 use super::{TargetFrame, scales};
-use crate::draft::Draft;
+use crate::draft::{Draft, Interned};
 use crate::findings::finding;
 use crate::resolve::Resolved;
 use glam::{DVec2, DVec3};
@@ -49,7 +49,7 @@ fn geometries(frame: &mut TargetFrame, draft: &mut Draft, findings: &mut Vec<Fin
         let tasks = rows.geometries.par_chunks(GEOMETRIES_PER_TASK);
         tasks.map(|chunk| chunk.iter().map(one).collect()).collect()
     };
-    let mut coefficients = Vec::new();
+    let (mut coefficients, mut shapes) = (Vec::new(), Interned::default());
     let mut failed = Vec::new();
     let mut error = 0.0_f64;
     for (number, moved) in moved.into_iter().flatten().enumerate() {
@@ -57,9 +57,7 @@ fn geometries(frame: &mut TargetFrame, draft: &mut Draft, findings: &mut Vec<Fin
             Ok(mut moved) => {
                 let before = coefficients.len();
                 coefficients.extend_from_slice(&moved.coefficients);
-                // A table that is too long is refused when it is written.
-                moved.row.coefficients =
-                    Range::between(before, coefficients.len()).unwrap_or_default();
+                moved.row.coefficients = shapes.add(&mut coefficients, before);
                 error = error.max(moved.error);
                 frame.scale[0] = frame.scale[0].min(moved.scale[0]);
                 frame.scale[1] = frame.scale[1].max(moved.scale[1]);

@@ -68,7 +68,7 @@ impl Draft {
             cos: start.cos,
             sin: start.sin,
             length: piece.length,
-            coefficients: between(first, self.rows.coefficients.len()),
+            coefficients: self.shapes.add(&mut self.rows.coefficients, first),
             error: (compiled.error as f32).next_up(),
             kind: compiled.kind.code(),
             parameter_range,

@@ -1,7 +1,6 @@
 //! Ids become rows, and the draft becomes tables.
 
 mod annotations;
-mod coefficients;
 mod joints;
 mod links;
 mod origin;

@@ -1,6 +1,6 @@
 //! The draft becomes tables, geometry relative to the local origin.
 
-use super::{coefficients, joints, origin};
+use super::{joints, origin};
 use crate::draft::Draft;
 use crate::options::CompileOptions;
 use mapd_archive::Rows;
@@ -27,6 +27,5 @@ pub(crate) fn tables(draft: Draft, options: &CompileOptions) -> Rows {
     rows.string_bytes = strings.bytes.into();
     rows.string_offsets = strings.offsets.into();
     joints::transitions(&mut rows, &draft.joints);
-    coefficients::share(&mut rows);
     rows
 }
