@@ -69,39 +69,34 @@ pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
     let (length, time) = (|weight: &Weight| weight.length, |weight: &Weight| weight.time);
     let ways = || [&ahead, &behind].into_iter();
     let both = ways().zip([from, to]);
-    let lengths: Vec<Searched<'_>> = both
-        .flat_map(|(ways, all)| all.into_iter().map(move |reached| Searched { ways, reached }))
-        .collect();
+    let searched =
+        both.flat_map(|(ways, all)| all.into_iter().map(move |reached| Searched { ways, reached }));
+    let lengths = Columns::of(searched.collect(), places.count, length);
     let starts: Vec<(&MotorWays, u32)> =
         ways().flat_map(|ways| chosen.iter().map(move |place| (ways, *place))).collect();
-    let times: Vec<Searched<'_>> = starts
+    let searched = starts
         .into_par_iter()
-        .map(|(ways, place)| Searched { ways, reached: ways.distances(place, time) })
-        .collect();
-    let sizes = [step(&lengths), step(&times)];
+        .map(|(ways, place)| Searched { ways, reached: ways.distances(place, time) });
+    let times = Columns::of(searched.collect(), places.count, time);
+    let sizes = [lengths.step, times.step];
     let node_of = |place: &u32| places.of_nodes.iter().position(|own| own == place);
     let fixed: Vec<u32> = chosen.iter().filter_map(node_of).map(|node| node as u32).collect();
     let anchors = anchors::find(rows, &fixed, sizes);
     // Anchors by their nodes and by their places, in the nodes' order.
-    let (mut count, mut kept) = (0, vec![NONE; places.count]);
+    let mut kept = Vec::new();
     let mut tables = vec![NONE; anchors.len()];
     for (node, own) in anchors.iter().enumerate().filter(|(node, a)| a.anchor == *node as u32) {
-        tables[node] = count;
-        kept[places.get(own.anchor) as usize] = count;
-        count += 1;
+        tables[node] = kept.len() as u32;
+        kept.push(places.get(own.anchor));
     }
     let bound =
         |a: &anchors::Anchored| (tables.get(a.anchor as usize).copied().unwrap_or(NONE), a.steps);
-    let in_steps = |searched: Vec<Searched<'_>>, step: f64, weight: fn(&Weight) -> f32| Distances {
-        step,
-        steps: in_steps(searched, &kept, count as usize, step, weight),
-    };
     Landmarks {
         bounds: anchors.iter().map(bound).collect(),
-        count,
+        count: kept.len() as u32,
         landmarks: chosen.len() as u32,
-        lengths: in_steps(lengths, sizes[0], length),
-        times: in_steps(times, sizes[1], time),
+        lengths: lengths.of_places(&kept),
+        times: times.of_places(&kept),
     }
 }
 
@@ -164,33 +159,38 @@ fn step(searched: &[Searched<'_>]) -> f64 {
     if most > 0.0 { most / MOST_STEPS } else { 1.0 }
 }
 
-/// Distances of all landmarks, place by place, in steps rounded down; of the `count` places that are kept, by their number.
-fn in_steps(
-    searched: Vec<Searched<'_>>,
-    kept: &[u32],
-    count: usize,
+/// Distances by landmark, then by place, in steps rounded down: a quarter of what the searches yield, of which there are two.
+struct Columns {
     step: f64,
-    weight: fn(&Weight) -> f32,
-) -> Vec<u16> {
-    let column = |Searched { ways, reached }: Searched<'_>| {
-        let mut column = vec![u16::MAX; count];
-        ways.visit(&reached, weight, |place, distance| {
-            if let Some(own) = column.get_mut(kept[place as usize] as usize) {
-                *own = (distance / step) as u16;
+    columns: Vec<Vec<u16>>,
+}
+
+impl Columns {
+    /// Of so many places; those that are not reached have the largest number.
+    fn of(searched: Vec<Searched<'_>>, places: usize, weight: fn(&Weight) -> f32) -> Self {
+        let step = step(&searched);
+        let column = |Searched { ways, reached }: Searched<'_>| {
+            let mut column = vec![u16::MAX; places];
+            ways.visit(&reached, weight, |place, distance| {
+                column[place as usize] = (distance / step) as u16;
+            });
+            column
+        };
+        Self { step, columns: searched.into_par_iter().map(column).collect() }
+    }
+
+    /// Place by place, of these.
+    fn of_places(self, kept: &[u32]) -> Distances {
+        let width = self.columns.len();
+        let mut steps = vec![0; kept.len() * width];
+        let rows = steps.par_chunks_mut(PLACES_PER_TASK * width.max(1));
+        rows.zip(kept.par_chunks(PLACES_PER_TASK)).for_each(|(rows, kept)| {
+            for (row, place) in rows.chunks_mut(width.max(1)).zip(kept) {
+                for (own, column) in row.iter_mut().zip(&self.columns) {
+                    *own = column[*place as usize];
+                }
             }
         });
-        column
-    };
-    let columns: Vec<Vec<u16>> = searched.into_par_iter().map(column).collect();
-    let width = columns.len();
-    let mut steps = vec![0; count * width];
-    let rows = steps.par_chunks_mut(PLACES_PER_TASK * width.max(1));
-    rows.enumerate().for_each(|(task, rows)| {
-        for (place, row) in (task * PLACES_PER_TASK..).zip(rows.chunks_mut(width)) {
-            for (own, column) in row.iter_mut().zip(&columns) {
-                *own = column[place];
-            }
-        }
-    });
-    steps
+        Distances { step: self.step, steps }
+    }
 }

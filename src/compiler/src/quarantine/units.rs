@@ -55,21 +55,63 @@ pub(crate) struct Unit {
     pub(crate) owner: u64,
 }
 
-/// From where on places are in a part.
+/// From where on places are in a part. There are millions, so that what nearly always lies close before is kept as a distance.
 #[derive(Clone, Copy)]
 struct Begin {
     place: u64,
-    unit: Unit,
+    /// How far before it the owner starts `[bytes]`; or the rank in [`Units::far`].
+    owner: u32,
+    kind: PartKind,
+    start: Start,
+}
+
+/// Where the part starts that a place begins or goes on with.
+#[derive(Clone, Copy)]
+enum Start {
+    /// At the place.
+    Here,
+    /// Where its owner does: it is the owner.
+    AtOwner,
+    /// As [`Units::far`] says, as it does of the owner.
+    Far,
 }
 
 /// Where each part begins, in the order of the document.
 #[derive(Default)]
 pub(crate) struct Units {
     begins: Vec<Begin>,
+    /// Parts that [`Begin`] has no room for: their owner is in another file, or they go on behind a part of theirs.
+    far: Vec<Unit>,
     is_sorted: bool,
 }
 
 impl Units {
+    /// From a place on, places are in a part.
+    fn begin(&mut self, place: u64, unit: Unit) {
+        let start = match unit.start {
+            start if start == place => Some(Start::Here),
+            start if start == unit.owner => Some(Start::AtOwner),
+            _ => None,
+        };
+        let distance = place.checked_sub(unit.owner).and_then(|bytes| u32::try_from(bytes).ok());
+        let (start, owner) = start.zip(distance).unwrap_or_else(|| {
+            self.far.push(unit);
+            (Start::Far, self.far.len() as u32 - 1)
+        });
+        self.begins.push(Begin { place, owner, kind: unit.kind, start });
+    }
+
+    /// The part that places are in from there on.
+    fn unit(&self, begin: Begin) -> Option<Unit> {
+        let owner = begin.place.wrapping_sub(begin.owner.into());
+        let start = match begin.start {
+            Start::Here => begin.place,
+            Start::AtOwner => owner,
+            Start::Far => return self.far.get(begin.owner as usize).copied(),
+        };
+        Some(Unit { kind: begin.kind, start, owner })
+    }
+
     /// The part that a place is in; none before the first.
     pub(crate) fn of(&mut self, place: u64) -> Option<Unit> {
         if !self.is_sorted {
@@ -77,7 +119,7 @@ impl Units {
             self.is_sorted = true;
         }
         let after = self.begins.partition_point(|begin| begin.place <= place);
-        Some(self.begins.get(after.checked_sub(1)?)?.unit)
+        self.unit(*self.begins.get(after.checked_sub(1)?)?)
     }
 
     /// The part that a part is in; none for a top-level element.
@@ -88,7 +130,12 @@ impl Units {
     /// Takes the places of the parts of the elements that come next.
     pub(crate) fn append(&mut self, next: Self) {
         self.is_sorted = false;
-        self.begins.extend(next.begins);
+        let far = self.far.len() as u32;
+        self.far.extend(next.far);
+        self.begins.extend(next.begins.into_iter().map(|begin| match begin.start {
+            Start::Far => Begin { owner: begin.owner + far, ..begin },
+            Start::Here | Start::AtOwner => begin,
+        }));
     }
 
     /// Takes the places of a top-level element's parts.
@@ -117,7 +164,7 @@ impl Units {
             let begin = self.begins[at];
             let last = self.begins[before..kept].last().copied();
             let goes_on = last.is_some_and(|last| {
-                last.unit == begin.unit
+                self.unit(last) == self.unit(begin)
                     && Places::file_of(last.place) == Places::file_of(begin.place)
             });
             if !goes_on {
@@ -135,13 +182,13 @@ impl Units {
     /// A part within an element.
     fn part(&mut self, kind: PartKind, span: Span, owner: Span) {
         let unit = Unit { kind, start: span.start, owner: owner.start };
-        self.begins.push(Begin { place: span.start, unit });
+        self.begin(span.start, unit);
     }
 
     /// From here on, a place is in the element itself again.
     fn back(&mut self, kind: PartKind, span: Span, owner: Span) {
         let unit = Unit { kind, start: owner.start, owner: owner.start };
-        self.begins.push(Begin { place: span.start, unit });
+        self.begin(span.start, unit);
     }
 
     fn road(&mut self, road: &Road) {
@@ -192,7 +239,7 @@ impl Units {
             let (start, owner) = (connection.span.start, own.start);
             let unit = Unit { kind: PartKind::Connection, start, owner };
             let ends = [&connection.predecessor, &connection.successor].into_iter().flatten();
-            self.begins.extend(ends.map(|end| Begin { place: end.span.start, unit }));
+            ends.for_each(|end| self.begin(end.span.start, unit));
         }
         let rest = junction
             .road_section
