@@ -75,3 +75,37 @@ impl Interned {
         RowMapping::Ranges(places)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of geometries were kept for each of them until all was read. Sequences of two parts become those of the whole, each
+    /// where it would lie if there were no parts, and once.
+    #[test]
+    fn appended_sequences_are_those_of_one_table() {
+        const UNUSED: f64 = -1.0;
+        let shapes: [&[f64]; 7] = [&[], &[0.5], &[1.0, 2.0], &[0.5], &[2.0, 1.0], &[1.0, 2.0], &[]];
+        let add = |interned: &mut Interned, rows: &mut Vec<f64>, shapes: &[&[f64]]| {
+            let add = |shape: &&[f64]| {
+                let before = rows.len();
+                rows.extend_from_slice(shape);
+                interned.add(rows, before)
+            };
+            shapes.iter().map(add).collect::<Vec<Range>>()
+        };
+        let (mut whole, mut expected) = (Interned::default(), Vec::new());
+        let places = add(&mut whole, &mut expected, &shapes);
+        assert_eq!(expected, [0.5, 1.0, 2.0, 2.0, 1.0]);
+        for cut in 0..=shapes.len() {
+            let (mut appended, mut rows, mut found) = (Interned::default(), Vec::new(), Vec::new());
+            for shapes in [&shapes[..cut], &shapes[cut..]] {
+                let (mut part, mut own) = (Interned::of_part(), vec![UNUSED]);
+                let ranges = add(&mut part, &mut own, shapes);
+                let moves = appended.append(&mut rows, (&part, &own));
+                found.extend(ranges.into_iter().map(|range| moves.range(range)));
+            }
+            assert_eq!((&rows, &found), (&expected, &places), "cut at {cut}");
+        }
+    }
+}

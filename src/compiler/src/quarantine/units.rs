@@ -133,7 +133,7 @@ impl Units {
         let far = self.far.len() as u32;
         self.far.extend(next.far);
         self.begins.extend(next.begins.into_iter().map(|begin| match begin.start {
-            Start::Far => Begin { owner: begin.owner + far, ..begin },
+            Start::Far => Begin { owner: begin.owner.saturating_add(far), ..begin },
             Start::Here | Start::AtOwner => begin,
         }));
     }
@@ -255,6 +255,43 @@ impl Units {
         rest.for_each(|span| self.back(kind, span, own));
         if let Some(objects) = &junction.objects {
             self.objects(objects, kind, own);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Maps have millions of places: a begin took 32 bytes.
+    #[test]
+    fn parts_are_told_as_they_were_entered() {
+        assert_eq!(size_of::<Begin>(), 16);
+        let unit = |kind, start, owner| Unit { kind, start, owner };
+        let beyond_32_bits = 200 + (1 << 33);
+        let included = Places::start(1, 5);
+        let entered = [
+            (100, unit(PartKind::Road, 100, 100)),
+            (110, unit(PartKind::Signal, 110, 100)),
+            (120, unit(PartKind::Road, 100, 100)),
+            (200, unit(PartKind::Junction, 200, 200)),
+            (210, unit(PartKind::Connection, 210, 200)),
+            (220, unit(PartKind::LaneLink, 220, 210)),
+            (230, unit(PartKind::Connection, 210, 200)),
+            (beyond_32_bits, unit(PartKind::Object, beyond_32_bits, 200)),
+            (included, unit(PartKind::Object, included, 200)),
+            (included + 9, unit(PartKind::Junction, 200, 200)),
+        ];
+        for cut in 0..=entered.len() {
+            let (mut whole, mut next) = (Units::default(), Units::default());
+            let (before, behind) = entered.split_at(cut);
+            before.iter().for_each(|(place, unit)| whole.begin(*place, *unit));
+            behind.iter().for_each(|(place, unit)| next.begin(*place, *unit));
+            whole.append(next);
+            assert_eq!(whole.of(99), None);
+            for (place, unit) in entered {
+                assert_eq!([whole.of(place), whole.of(place + 1)], [Some(unit); 2], "{place}");
+            }
         }
     }
 }

@@ -15,6 +15,10 @@ use std::collections::HashMap;
 /// Sections that one task samples; small enough to share work evenly, large enough to be worth a task.
 const SECTIONS_PER_TASK: usize = 16;
 
+/// Sections that are sampled before their points are appended: many tasks for each thread. What these yield is many small blocks,
+/// which would leave their memory to small blocks alone if it were that of a whole map.
+const SECTIONS_AT_ONCE: usize = 4096;
+
 /// Share of the index' tolerance that centre lines use up. Shorter segments have sharper rectangles around them, but there are
 /// more of them: of shares from 0.25 to 1, with this one queries on the carried town take the fewest instructions.
 const INDEX_SHARE: f64 = 0.75;
@@ -66,60 +70,72 @@ pub(crate) fn sample(
     options: &CompileOptions,
     allowance: &Allowance,
 ) -> Result<Vec<u32>, TooLarge> {
-    let lines: Vec<Lines> = {
-        let archive = view(rows);
-        let map = Map::new(&archive, 0);
-        let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
-        let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
-        chunks.map(|sections| lines(map, sections, options, allowance)).collect()
-    };
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    if allowance.is_exceeded() {
-        return Ok(Vec::new());
-    }
-    rows.points.reserve_exact(lines.iter().map(|lines| lines.bytes.len()).sum());
     let mut unfit = Vec::new();
-    let mut sections = 0;
     // Equal sections have equal stations: each sequence is written once.
     let mut known: HashMap<Vec<u32>, u32> = HashMap::new();
-    for lines in lines {
-        let mut stations = lines.stations.as_slice();
-        for frame in &lines.frames {
-            let row: &mut SectionRow = &mut rows.sections[sections];
-            [row.x, row.y, row.z] = frame.origin;
-            row.set_point_code(frame.code);
-            let (own, others) = stations.split_at(frame.stations);
-            let first = u32::try_from(rows.point_stations.len());
-            let first = first.map_err(|_| TooLarge::new("point_stations"))?;
-            let key = own.iter().map(|s| s.to_bits()).collect();
-            row.first_station = *known.entry(key).or_insert_with(|| {
-                rows.point_stations.extend_from_slice(own);
-                first
-            });
-            stations = others;
-            sections += 1;
+    let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
+    for numbers in numbers.chunks(SECTIONS_AT_ONCE) {
+        let lines: Vec<Lines> = {
+            let archive = view(rows);
+            let map = Map::new(&archive, 0);
+            let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
+            chunks.map(|sections| lines(map, sections, options, allowance)).collect()
+        };
+        if allowance.is_exceeded() {
+            return Ok(Vec::new());
         }
-        let mut first = rows.points.len();
-        rows.points.extend_from_slice(&lines.bytes);
-        for line in &lines.lanes {
-            let Ok(first_byte) = u32::try_from(first) else {
-                return Err(TooLarge::at_lane("points", rows, line.lane));
-            };
-            first += line.bytes;
-            let row: &mut LaneRow = &mut rows.lanes[line.lane as usize];
-            row.first_byte = first_byte;
-            // Longer ones are among `unfit`.
-            (row.center_count, row.border_count) = (line.center as u16, line.border as u16);
+        let mut numbers = numbers.iter();
+        for lines in lines {
+            low = low.min(lines.bounds[0]);
+            high = high.max(lines.bounds[1]);
+            let numbers = numbers.by_ref().take(lines.frames.len());
+            store(rows, numbers, &lines, &mut known)?;
+            unfit.extend(lines.unfit);
         }
-        unfit.extend(lines.unfit);
-        low = low.min(lines.bounds[0]);
-        high = high.max(lines.bounds[1]);
     }
     if let Some(map) = rows.map.first_mut().filter(|_| low.is_finite() && high.is_finite()) {
         (map.min_x, map.min_y, map.min_z) = (low.x + map.origin_x, low.y + map.origin_y, low.z);
         (map.max_x, map.max_y, map.max_z) = (high.x + map.origin_x, high.y + map.origin_y, high.z);
     }
     Ok(unfit)
+}
+
+/// Appends the points of sections of these numbers, and says where they lie. `known` has where sequences of stations do.
+fn store<'a>(
+    rows: &mut Rows,
+    numbers: impl Iterator<Item = &'a u32>,
+    lines: &Lines,
+    known: &mut HashMap<Vec<u32>, u32>,
+) -> Result<(), TooLarge> {
+    let mut stations = lines.stations.as_slice();
+    for (number, frame) in numbers.zip(&lines.frames) {
+        let row: &mut SectionRow = &mut rows.sections[*number as usize];
+        [row.x, row.y, row.z] = frame.origin;
+        row.set_point_code(frame.code);
+        let (own, others) = stations.split_at(frame.stations);
+        let first = u32::try_from(rows.point_stations.len());
+        let first = first.map_err(|_| TooLarge::new("point_stations"))?;
+        let key = own.iter().map(|s| s.to_bits()).collect();
+        row.first_station = *known.entry(key).or_insert_with(|| {
+            rows.point_stations.extend_from_slice(own);
+            first
+        });
+        stations = others;
+    }
+    let mut first = rows.points.len();
+    rows.points.extend_from_slice(&lines.bytes);
+    for line in &lines.lanes {
+        let Ok(first_byte) = u32::try_from(first) else {
+            return Err(TooLarge::at_lane("points", rows, line.lane));
+        };
+        first += line.bytes;
+        let row: &mut LaneRow = &mut rows.lanes[line.lane as usize];
+        row.first_byte = first_byte;
+        // Longer ones are among `unfit`.
+        (row.center_count, row.border_count) = (line.center as u16, line.border as u16);
+    }
+    Ok(())
 }
 
 /// Unfinished rows, seen as an archive.
