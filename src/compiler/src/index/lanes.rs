@@ -1,10 +1,10 @@
 //! Builds the packed spatial index over the lanes' centre lines.
 
+use super::lane_lines::{LaneLines, Line, Point};
 use super::packed::{Key, ROUNDING, ordered, round_up, stack};
 use crate::findings::TooLarge;
 use crate::options::CompileOptions;
 use crate::sample::view;
-use crate::sample::{Line, Lines};
 use glam::{DVec2, DVec3};
 use mapd_archive::packed_index::{HEIGHT_UNIT, REACH_UNIT, WIDTH};
 use mapd_archive::{IndexLeafRow, IndexNodeRow, NONE, Rows};
@@ -62,9 +62,8 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
     }
     u32::try_from(keys.len()).map_err(|_| TooLarge::new("index_leaves"))?;
     let places = ordered(keys);
-    let leaf = |lines: &mut Lines<'_>, places: &[LaneSegment]| leaf(lines, places, options);
-    let (leaves, boxes): (Vec<_>, Vec<_>) =
-        places.par_chunks(WIDTH).map_init(|| Lines::new(map), leaf).unzip();
+    let leaves = places.par_chunks(WIDTH).map(|places| leaf(map, places, options));
+    let (leaves, boxes): (Vec<_>, Vec<_>) = leaves.unzip();
     let (levels, nodes) = stack(boxes, node);
     rows.index_levels = levels.into();
     rows.index_nodes = nodes.into();
@@ -91,12 +90,10 @@ fn places(map: Map<'_>, lane: u32) -> Vec<Key<LaneSegment>> {
     keys
 }
 
-/// Both ends of a segment.
-fn ends(lines: &mut Lines<'_>, place: &LaneSegment) -> [DVec2; 2] {
-    let Some(lane) = lines.of(place.lane) else { return [DVec2::ZERO; 2] };
-    let first = usize::from(place.segment);
-    [first, first + 1]
-        .map(|i| lane.center.point(i).map_or(DVec2::ZERO, |point| point.place.truncate()))
+/// Both ends of a segment, and s there.
+fn ends(center: &Line<'_>, segment: u16) -> [Point; 2] {
+    let first = usize::from(segment);
+    [first, first + 1].map(|i| center.point(i).unwrap_or_default())
 }
 
 impl Extent {
@@ -113,35 +110,41 @@ impl Extent {
 
 /// The extent of a lane's area between two s. The area lies in the hull of both borders' stretches, and what is asked of
 /// it (how far to the sides, beyond the ends, up and down) is greatest at a point of theirs, or where they are cut.
-fn extent(borders: [Line<'_, '_>; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
+fn extent(borders: &mut [Line<'_>; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
     let along = ends[1] - ends[0];
     let length = along.length();
     let mut extent = Extent::NONE;
-    for border in borders {
-        let mut visit = |p: DVec3| {
-            let away = p.truncate() - ends[0];
-            let (forward, sideways) = if length > 0.0 {
-                (away.dot(along) / length, away.perp_dot(along) / length)
-            } else {
-                (away.length(), away.length())
-            };
-            extent.reach = extent.reach.max(sideways.abs());
-            extent.overshoot = extent.overshoot.max(-forward).max(forward - length);
-            extent.z = [extent.z[0].min(p.z), extent.z[1].max(p.z)];
+    let mut visit = |p: DVec3| {
+        let away = p.truncate() - ends[0];
+        let (forward, sideways) = if length > 0.0 {
+            (away.dot(along) / length, away.perp_dot(along) / length)
+        } else {
+            (away.length(), away.length())
         };
-        let from = border.points_before(cuts[0]);
-        let to = border.points_before(cuts[1].next_up());
-        (from..to).filter_map(|i| border.point(i)).for_each(|p| visit(p.place));
-        for (cut, i) in [(cuts[0], from), (cuts[1], to)] {
-            if let Some(p) = i.checked_sub(1).and_then(|i| border.point(i))
-                && let Some(q) = border.point(i)
-                && q.s > p.s
-            {
-                visit(p.place.lerp(q.place, clamp((cut - p.s) / (q.s - p.s), 0.0, 1.0)));
-            }
+        extent.reach = extent.reach.max(sideways.abs());
+        extent.overshoot = extent.overshoot.max(-forward).max(forward - length);
+        extent.z = [extent.z[0].min(p.z), extent.z[1].max(p.z)];
+    };
+    for border in borders {
+        let mut next = border.points_before(cuts[0]);
+        let mut before = next.checked_sub(1).and_then(|i| border.point(i));
+        let mut here = border.point(next);
+        cut(before, here, cuts[0]).into_iter().for_each(&mut visit);
+        while let Some(p) = here.filter(|p| p.s <= cuts[1]) {
+            visit(p.place);
+            next += 1;
+            (before, here) = (here, border.point(next));
         }
+        cut(before, here, cuts[1]).into_iter().for_each(&mut visit);
+        border.pass(next);
     }
     extent
+}
+
+/// The place at s between two points of a border.
+fn cut(before: Option<Point>, after: Option<Point>, s: f64) -> Option<DVec3> {
+    let (p, q) = before.zip(after)?;
+    (q.s > p.s).then(|| p.place.lerp(q.place, clamp((s - p.s) / (q.s - p.s), 0.0, 1.0)))
 }
 
 /// A box in double precision: smallest x, y, z, largest x, y, z.
@@ -207,17 +210,20 @@ fn ends_in_steps(frame: &LeafFrame, ends: [DVec2; 2]) -> [[u16; 2]; 2] {
 
 /// A leaf and the box of all areas in it. How far an area reaches is told from its segment as it is written, so that
 /// writing it in steps loses nothing.
-fn leaf(
-    lines: &mut Lines<'_>,
-    places: &[LaneSegment],
-    options: &CompileOptions,
-) -> (IndexLeafRow, Bounds) {
-    let mut written = [[DVec2::ZERO; 2]; WIDTH];
+fn leaf(map: Map<'_>, places: &[LaneSegment], options: &CompileOptions) -> (IndexLeafRow, Bounds) {
+    let mut segments = [[Point::default(); 2]; WIDTH];
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-    for (written, place) in written.iter_mut().zip(places) {
-        *written = ends(lines, place);
-        low = low.min(written[0]).min(written[1]);
-        high = high.max(written[0]).max(written[1]);
+    let mut lanes: Vec<LaneLines<'_>> = Vec::with_capacity(WIDTH);
+    for (segment, place) in segments.iter_mut().zip(places) {
+        // Segments of one lane stand behind each other.
+        if lanes.last().is_none_or(|lines| lines.lane != place.lane) {
+            lanes.extend(LaneLines::of(map, place.lane));
+        }
+        let lines = lanes.last().filter(|lines| lines.lane == place.lane);
+        *segment = lines.map_or_else(Default::default, |lines| ends(&lines.center, place.segment));
+        for end in segment.map(|end| end.place.truncate()) {
+            (low, high) = (low.min(end), high.max(end));
+        }
     }
     let frame = LeafFrame::around(low, high);
     let mut row = IndexLeafRow {
@@ -236,11 +242,17 @@ fn leaf(
         z_low: [0; WIDTH],
         z_high: [0; WIDTH],
     };
+    let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
     let mut entries = Vec::with_capacity(WIDTH);
-    for (k, (place, ends)) in places.iter().zip(written).enumerate().take(WIDTH) {
-        let [start, end] = ends_in_steps(&frame, ends);
+    for (k, (place, ends)) in places.iter().zip(segments).enumerate().take(WIDTH) {
+        let [start, end] = ends_in_steps(&frame, ends.map(|end| end.place.truncate()));
         ([row.start_x[k], row.start_y[k]], [row.end_x[k], row.end_y[k]]) = (start, end);
-        entries.push(entry(lines, *place, [start, end].map(|end| frame.place(end)), options));
+        let written = [start, end].map(|end| frame.place(end));
+        let lines = lanes.iter_mut().find(|lines| lines.lane == place.lane);
+        let cuts = ends.map(|end| end.s);
+        let extent = lines.map_or(Extent::NONE, |lines| extent(&mut lines.borders, written, cuts));
+        let [a, b] = written;
+        entries.push(Entry { a, b, extent: extent.widened(margin), place: *place });
     }
     let lowest = entries.iter().map(|e| e.extent.z[0]).fold(f64::INFINITY, f64::min);
     row.z = round_down(lowest);
@@ -258,23 +270,6 @@ fn leaf(
         all = join(all, bounds(e));
     }
     (row, all)
-}
-
-/// A segment between its ends as they are written.
-fn entry(
-    lines: &mut Lines<'_>,
-    place: LaneSegment,
-    [a, b]: [DVec2; 2],
-    options: &CompileOptions,
-) -> Entry {
-    let mut extent = Extent::NONE;
-    if let Some(lane) = lines.of(place.lane) {
-        let first = usize::from(place.segment);
-        let station = |i: usize| lane.center.point(i).map_or(0.0, |point| point.s);
-        extent = self::extent(lane.borders, [a, b], [first, first + 1].map(station));
-    }
-    let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
-    Entry { a, b, extent: extent.widened(margin), place }
 }
 
 /// To single precision, never larger.

@@ -1,6 +1,7 @@
 //! The packed spatial indexes: of lanes, objects and signals; and what queries read ahead by.
 
 mod lane_blocks;
+mod lane_lines;
 mod lanes;
 mod objects;
 mod packed;

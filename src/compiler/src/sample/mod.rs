@@ -2,11 +2,9 @@
 
 mod allowance;
 mod cuts;
-mod decoded;
 mod flatten;
 mod lanes;
 
 pub(crate) use allowance::Allowance;
-pub(crate) use decoded::{Line, Lines};
 pub(crate) use flatten::{Fault, Sample, distance_to_segment, flatten};
 pub(crate) use lanes::{sample as lanes, view};
