@@ -177,6 +177,17 @@ impl<'a> SectionCutter<'a> {
 
     /// As [`Road::cross_section`].
     pub fn cut(&mut self, s: f64) -> Option<CrossSection> {
+        let s = self.stretch_at(s)?;
+        let frame = self.frame.as_ref()?;
+        let point = frame.piece.curve.tangent(s - frame.piece.s);
+        let (roll_cos, roll_sin) = profile::roll(frame.superelevation.value(s));
+        let (x, y, z) = (point.x, point.y, frame.elevation.value(s));
+        Some(CrossSection { x, y, z, cos: point.cos, sin: point.sin, roll_cos, roll_sin })
+    }
+
+    /// Looks up what the reference line is made of at s, which is moved as [`Road::cross_section`] does.
+    #[inline]
+    fn stretch_at(&mut self, s: f64) -> Option<f64> {
         if !s.is_finite() {
             return None;
         }
@@ -184,11 +195,7 @@ impl<'a> SectionCutter<'a> {
         if !self.frame.as_ref().is_some_and(|frame| frame.held.contains(s)) {
             self.frame = Some(LineStretch::at(&self.road, s)?);
         }
-        let frame = self.frame.as_ref()?;
-        let point = frame.piece.curve.tangent(s - frame.piece.s);
-        let (roll_cos, roll_sin) = profile::roll(frame.superelevation.value(s));
-        let (x, y, z) = (point.x, point.y, frame.elevation.value(s));
-        Some(CrossSection { x, y, z, cos: point.cos, sin: point.sin, roll_cos, roll_sin })
+        Some(s)
     }
 
     /// Edges at s of all lanes, from left to right, as [`crate::Lane::edges_at`] has them one by one. `edges` has a place
@@ -254,8 +261,7 @@ impl SectionCutter<'_> {
     /// it, or helices, from one s up to another: the reference line is a line or an arc, its height grows evenly, and
     /// superelevation and widths do not change. None where that is not plain.
     pub fn arc(&mut self, lane: usize, from: f64, to: f64) -> Option<f64> {
-        // A cut puts the frame of that place in its place.
-        self.cut(from).filter(|_| to <= self.end)?;
+        self.stretch_at(from).filter(|_| to <= self.end)?;
         let frame = self.frame.as_ref().filter(|frame| {
             frame.held.covers(from, to)
                 && frame.elevation.is_even()
@@ -271,8 +277,7 @@ impl SectionCutter<'_> {
     }
 
     fn frame_is_straight(&mut self, from: f64, to: f64) -> bool {
-        // A cut puts the frame of that place in its place.
-        if to > self.end || self.cut(from).is_none() {
+        if to > self.end || self.stretch_at(from).is_none() {
             return false;
         }
         self.frame.as_ref().is_some_and(|frame| {
