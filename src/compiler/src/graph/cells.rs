@@ -50,7 +50,6 @@ pub(super) struct Cell {
     corners: [DVec2; 4],
     /// Its sides but those that are too short to have a direction; computed for those that others come near.
     sides: OnceCell<[Option<Side>; 4]>,
-    pub(super) bounds: Bounds,
     pub(super) z: f64,
     /// From the section's start.
     pub(super) s_from: f32,
@@ -61,8 +60,11 @@ impl Cell {
     /// Between two cross-sections, each from its inner to its outer end; at a height `[m]`, from one s to another.
     pub(super) fn new([a, b]: [[DVec2; 2]; 2], z: f64, [s_from, s_to]: [f32; 2]) -> Self {
         let corners = [a[0], a[1], b[1], b[0]];
-        let bounds = Bounds::of(&corners);
-        Self { corners, sides: OnceCell::new(), bounds, z, s_from, s_to }
+        Self { corners, sides: OnceCell::new(), z, s_from, s_to }
+    }
+
+    pub(super) fn bounds(&self) -> Bounds {
+        Bounds::of(&self.corners)
     }
 
     fn side(&self, i: usize) -> Option<Side> {

@@ -40,11 +40,15 @@ struct Candidate {
     /// Of places on its section `[m]`.
     step: f64,
     cells: Vec<Cell>,
+    /// Of each cell, apart from them: most cells are passed over by their bounds.
+    around_cells: Vec<Bounds>,
     /// Of [`BLOCK`] cells each.
     blocks: Vec<Bounds>,
     bounds: Bounds,
-    entered_from: Vec<LaneId>,
-    leads_to: Vec<LaneId>,
+    /// Lanes from which it is entered, then those that it leads to.
+    links: Vec<LaneId>,
+    /// How many the former are.
+    entries: usize,
 }
 
 /// Finds all conflicts, by lane; names the junctions that are passed over.
@@ -160,23 +164,28 @@ fn of_section(map: Map<'_>, section: LaneSection<'_>, stretch: Stretch) -> Vec<C
                 cells.push(Cell::new([edges, end.1], 0.5 * (z + end.2), [s, end.0]));
             }
         }
-        let blocks: Vec<Bounds> = cells.chunks(BLOCK).map(around).collect();
+        let around_cells: Vec<Bounds> = cells.iter().map(Cell::bounds).collect();
+        let blocks: Vec<Bounds> = around_cells.chunks(BLOCK).map(around).collect();
+        let mut links: Vec<LaneId> = lane.predecessors().collect();
+        let entries = links.len();
+        links.extend(lane.successors());
         Candidate {
             row: lane.lane_id().row(),
             road: stretch.road,
             step: section_step(end - start),
             bounds: blocks.iter().fold(Bounds::NONE, |all, block| all.with(block)),
             blocks,
+            around_cells,
             cells,
-            entered_from: lane.predecessors().collect(),
-            leads_to: lane.successors().collect(),
+            links,
+            entries,
         }
     };
     lanes.map(candidate).collect()
 }
 
-fn around(cells: &[Cell]) -> Bounds {
-    cells.iter().fold(Bounds::NONE, |all, cell| all.with(&cell.bounds))
+fn around(cells: &[Bounds]) -> Bounds {
+    cells.iter().fold(Bounds::NONE, |all, cell| all.with(cell))
 }
 
 /// How two lanes meet, and the common interval on each.
@@ -188,8 +197,9 @@ fn meet(
     if !a.bounds.meets(&b.bounds) {
         return None;
     }
-    let merge = a.leads_to.iter().any(|lane| b.leads_to.contains(lane));
-    let part = a.entered_from.iter().any(|lane| b.entered_from.contains(lane));
+    let have_one = |a: &[LaneId], b: &[LaneId]| a.iter().any(|lane| b.contains(lane));
+    let ([a_entries, a_exits], [b_entries, b_exits]) = (a.links(), b.links());
+    let (merge, part) = (have_one(a_exits, b_exits), have_one(a_entries, b_entries));
     if part && !merge && zone != ZoneKind::Direct {
         return None;
     }
@@ -240,21 +250,27 @@ impl Candidate {
         let turned = |i: usize, count: usize| if backwards { count - 1 - i } else { i };
         for i in 0..self.blocks.len() {
             let block = turned(i, self.blocks.len());
-            let (bounds, cells) = (self.blocks.get(block)?, cells_of(&self.cells, block));
+            let bounds = self.blocks.get(block)?;
+            if !other.bounds.meets(bounds) {
+                continue;
+            }
             // The other's blocks that may meet any of these cells, from the first to the last.
             let Some(from) = other.blocks.iter().position(|block| block.meets(bounds)) else {
                 continue;
             };
             let to = other.blocks.iter().rposition(|block| block.meets(bounds)).unwrap_or(from);
             let blocks = other.blocks.get(from..=to)?;
+            let (cells, around_cells) = self.of_block(block);
             for i in 0..cells.len() {
-                let one = cells.get(turned(i, cells.len()))?;
+                let at = turned(i, cells.len());
+                let (one, bounds) = (cells.get(at)?, around_cells.get(at)?);
                 for (two, block) in (from..).zip(blocks) {
-                    if block.meets(&one.bounds)
-                        && cells_of(&other.cells, two)
-                            .iter()
-                            .any(|two| two.bounds.meets(&one.bounds) && fits(one, two))
-                    {
+                    if !block.meets(bounds) {
+                        continue;
+                    }
+                    let (cells, around_cells) = other.of_block(two);
+                    let mut others = around_cells.iter().zip(cells);
+                    if others.any(|(around, two)| around.meets(bounds) && fits(one, two)) {
                         return Some(one);
                     }
                 }
@@ -262,10 +278,18 @@ impl Candidate {
         }
         None
     }
-}
 
-/// The cells of a block.
-fn cells_of(cells: &[Cell], block: usize) -> &[Cell] {
-    let from = block * BLOCK;
-    cells.get(from..cells.len().min(from + BLOCK)).unwrap_or(&[])
+    /// Lanes from which it is entered, and those that it leads to.
+    fn links(&self) -> [&[LaneId]; 2] {
+        let (entries, exits) = self.links.split_at(self.entries);
+        [entries, exits]
+    }
+
+    /// The cells of a block, and what is around each.
+    fn of_block(&self, block: usize) -> (&[Cell], &[Bounds]) {
+        let from = block * BLOCK;
+        let range = from..self.cells.len().min(from + BLOCK);
+        let (cells, bounds) = (self.cells.get(range.clone()), self.around_cells.get(range));
+        (cells.unwrap_or(&[]), bounds.unwrap_or(&[]))
+    }
 }
