@@ -80,7 +80,8 @@ pub(crate) fn sample(
             let archive = view(rows);
             let map = Map::new(&archive, 0);
             let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
-            chunks.map(|sections| lines(map, sections, options, allowance)).collect()
+            let lines = |room: &mut Room, sections| lines(map, sections, options, allowance, room);
+            chunks.map_init(Room::new, lines).collect()
         };
         if allowance.is_exceeded() {
             return Ok(Vec::new());
@@ -116,11 +117,15 @@ fn store<'a>(
         let (own, others) = stations.split_at(frame.stations);
         let first = u32::try_from(rows.point_stations.len());
         let first = first.map_err(|_| TooLarge::new("point_stations"))?;
-        let key = own.iter().map(|s| s.to_bits()).collect();
-        row.first_station = *known.entry(key).or_insert_with(|| {
-            rows.point_stations.extend_from_slice(own);
-            first
-        });
+        let key: &[u32] = bytemuck::cast_slice(own);
+        row.first_station = match known.get(key) {
+            Some(first) => *first,
+            None => {
+                rows.point_stations.extend_from_slice(own);
+                known.insert(key.to_vec(), first);
+                first
+            }
+        };
         stations = others;
     }
     let mut first = rows.points.len();
@@ -144,7 +149,13 @@ pub(crate) fn view(rows: &Rows) -> Archive<'_> {
 }
 
 /// Samples the lanes of some sections.
-fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions, allowance: &Allowance) -> Lines {
+fn lines(
+    map: Map<'_>,
+    sections: &[u32],
+    options: &CompileOptions,
+    allowance: &Allowance,
+    Room { memory, sampled }: &mut Room,
+) -> Lines {
     let mut lines = Lines {
         frames: Vec::with_capacity(sections.len()),
         lanes: Vec::new(),
@@ -153,13 +164,11 @@ fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions, allowance: &A
         unfit: Vec::new(),
         bounds: [DVec3::INFINITY, DVec3::NEG_INFINITY],
     };
-    let mut memory = Memory::new();
-    let mut sampled = Sampled::default();
     for section in sections {
         sampled.samples.clear();
         let before = lines.lanes.len();
         let section = map.section_by_row(*section);
-        let cuts = section.and_then(|section| Some((section, Cuts::new(section, &mut memory)?)));
+        let cuts = section.and_then(|section| Some((section, Cuts::new(section, memory)?)));
         let start = section.map_or(0.0, |section| section.s_start());
         if let Some((section, mut cuts)) = cuts {
             let unfit = lines.unfit.len();
@@ -169,26 +178,39 @@ fn lines(map: Map<'_>, sections: &[u32], options: &CompileOptions, allowance: &A
                 }
                 let samples = sampled.samples.len();
                 let along = (&mut cuts, at);
-                if line(&lane, along, options, &mut sampled, &mut lines).is_err() {
+                if line(&lane, along, options, sampled, &mut lines).is_err() {
                     sampled.samples.truncate(samples);
                     lines.unfit.push(lane.lane_id().row());
                 }
                 allowance.take(sampled.samples.len() - samples);
             }
         }
-        write(&mut sampled, start, options, before, &mut lines);
+        write(sampled, start, options, before, &mut lines);
     }
     lines.bytes.shrink_to_fit();
     lines
 }
 
-/// What is sampled of one section, and room to work in.
+/// Room to work in, for one section after the other.
+struct Room {
+    memory: Memory,
+    sampled: Sampled,
+}
+
+impl Room {
+    fn new() -> Self {
+        Self { memory: Memory::new(), sampled: Sampled::default() }
+    }
+}
+
+/// What is sampled of one section.
 #[derive(Default)]
 struct Sampled {
     /// Centre line and border, lane by lane.
     samples: Vec<Sample>,
     line: Vec<Sample>,
     stations: Vec<f32>,
+    breaks: Vec<f64>,
 }
 
 /// Samples the lane that is the `at`-th of its section from the left.
@@ -201,18 +223,19 @@ fn line(
     sampled: &mut Sampled,
     lines: &mut Lines,
 ) -> Result<(), Fault> {
-    let breaks = breaks(lane);
+    breaks(lane, &mut sampled.breaks);
     let row = lane.lane_id().row();
     let before = sampled.samples.len();
     if lane.number() != 0 {
         let mut curve = LaneCurve { cuts, lane: at, t: LaneEdges::center };
-        flatten(&breaks, INDEX_SHARE * options.index_tolerance, &mut curve, &mut sampled.line)?;
+        let tolerance = INDEX_SHARE * options.index_tolerance;
+        flatten(&sampled.breaks, tolerance, &mut curve, &mut sampled.line)?;
         sampled.samples.append(&mut sampled.line);
     }
     let center = sampled.samples.len() - before;
     let mut curve = LaneCurve { cuts, lane: at, t: |edges: LaneEdges| edges.outer };
     let tolerance = (1.0 - ROUNDING_SHARE) * options.bound_tolerance;
-    flatten(&breaks, tolerance, &mut curve, &mut sampled.line)?;
+    flatten(&sampled.breaks, tolerance, &mut curve, &mut sampled.line)?;
     let border = sampled.line.len();
     for sample in &sampled.line {
         let [low, high] = lines.bounds;
@@ -300,10 +323,11 @@ impl<T: Fn(LaneEdges) -> f64> Curve for LaneCurve<'_, '_, '_, T> {
 }
 
 /// Every s of the lane's section at which some record that shapes it begins, with both ends.
-fn breaks(lane: &Lane<'_>) -> Vec<f64> {
+fn breaks(lane: &Lane<'_>, breaks: &mut Vec<f64>) {
     let section = lane.section();
     let (start, end) = (section.s_start(), section.s_end());
-    let mut breaks: Vec<f64> = lane.shape_breaks().filter(|s| *s > start && *s < end).collect();
+    breaks.clear();
+    breaks.extend(lane.shape_breaks().filter(|s| *s > start && *s < end));
     breaks.push(start);
     breaks.push(end);
     breaks.sort_by(f64::total_cmp);
@@ -311,5 +335,4 @@ fn breaks(lane: &Lane<'_>) -> Vec<f64> {
     if breaks.len() == 1 {
         breaks.push(end);
     }
-    breaks
 }
