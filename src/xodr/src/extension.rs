@@ -131,7 +131,8 @@ impl Extension {
             None => self.behind_tag(),
         };
         let Some(start) = start else { return "" };
-        let end = self.text.rfind("</").unwrap_or(0);
+        // Its end tag has the last bracket.
+        let end = self.text.rfind('<').unwrap_or(0);
         // Nearly all space is ASCII, which is quick to trim.
         self.text.get(start..end).unwrap_or("").trim_ascii().trim()
     }

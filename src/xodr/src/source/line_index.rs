@@ -107,8 +107,18 @@ impl LineIndex {
             return at(0, 0);
         };
         let (mut start, mut line) = (checkpoint.start, checkpoint.line as usize);
+        let mut lengths = self.lengths.get(checkpoint.place as usize..).unwrap_or_default();
+        // Eight short lines at once.
+        while let Some((eight, rest)) = lengths.split_first_chunk()
+            && let Some(length) = sum_of_short(u64::from_le_bytes(*eight))
+            && offset >= start + length
+        {
+            start += length;
+            line += eight.len();
+            lengths = rest;
+        }
         let (mut length, mut shift) = (0, 0);
-        for byte in self.lengths.get(checkpoint.place as usize..).unwrap_or_default() {
+        for byte in lengths {
             length |= u64::from(byte & !MORE) << shift;
             shift += BITS;
             if *byte >= MORE {
@@ -123,6 +133,16 @@ impl LineIndex {
         }
         at(line, start)
     }
+}
+
+/// Sum of eight bytes; none where one is [`MORE`] or above.
+fn sum_of_short(eight: u64) -> Option<u64> {
+    const MORES: u64 = u64::from_ne_bytes([MORE; 8]);
+    // Every second byte, and 1 in each of four pairs.
+    const EVEN: u64 = 0x00ff_00ff_00ff_00ff;
+    const ONES: u64 = 0x0001_0001_0001_0001;
+    let pairs = (eight & EVEN) + (eight >> u8::BITS & EVEN);
+    (eight & MORES == 0).then(|| pairs.wrapping_mul(ONES) >> 48)
 }
 
 #[cfg(test)]
