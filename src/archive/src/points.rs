@@ -151,8 +151,10 @@ impl PointCode {
                 bits |= steps.unbounded_shl(at);
                 at += u32::from(count);
             }
-            let bytes = bits.to_le_bytes();
-            out.extend_from_slice(bytes.get(..self.bytes()).unwrap_or(&bytes));
+            // All eight, and those that are too many taken back: a copy of a length that is known is one instruction.
+            let end = out.len() + self.bytes();
+            out.extend_from_slice(&bits.to_le_bytes());
+            out.truncate(end);
         } else {
             let mut bits = u128::from(station);
             for (steps, count) in steps.into_iter().zip(counts) {
