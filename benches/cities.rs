@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 /// Tiles along x and y, and the largest archive \[bytes\]: 200 MB for the larger one, as many for each byte of the smaller.
 const CITIES: [(usize, usize, u64); 2] = [(6, 6, 37_000_000), (13, 14, 200_000_000)];
 /// Largest memory of a compiler beyond twice its archive \[bytes\].
-const BESIDE: u64 = 64 << 20;
+const BESIDE: u64 = 48 << 20;
 /// Largest memory of a compiler of the larger tiling \[bytes\].
 const LARGEST: u64 = 500_000_000;
 /// Points of each corner's tile that are asked for.
