@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// What became of maps that nobody changes, by their paths. Most tests ask about the same few: each is compiled once in a process.
+/// What became of maps that nobody changes, by their paths. Most tests ask about the same few: each is compiled once in a process. Not to be asked for in a
+/// thread of rayon's pool: compiling may run another task of the pool meanwhile, which would wait for itself.
 static COMPILED: Mutex<BTreeMap<PathBuf, Arc<OnceLock<Option<Snapshot>>>>> =
     Mutex::new(BTreeMap::new());
 

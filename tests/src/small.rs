@@ -45,8 +45,8 @@ fn mount_own(folder: &Path, bytes: u64) -> io::Result<()> {
     Ok(())
 }
 
-/// Moments of a program between which it takes nothing of `/dev/shm`, gives nothing back and does not ask how much is left, as one number: whoever fills it up at
-/// one of them makes the same of it as at any other.
+/// Moments of a traced program between which it takes nothing of `/dev/shm`, gives nothing back and asks neither how much is left nor what is there, as one number: whoever
+/// fills it up at one of them makes the same of it as at any other. What others ask is not seen.
 #[derive(Default)]
 pub struct SameRoom {
     number: usize,
@@ -63,7 +63,7 @@ impl SameRoom {
         let left = Some([room.f_bfree, room.f_ffree]);
         self.number += usize::from(self.asked || left != self.left);
         self.left = left;
-        self.asked = matches!(moment.name, Sysno::statfs | Sysno::fstatfs);
+        self.asked = matches!(moment.name, Sysno::statfs | Sysno::fstatfs | Sysno::getdents64);
         Ok(self.number)
     }
 }

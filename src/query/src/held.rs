@@ -4,7 +4,8 @@ use crate::index::LaneSegment;
 
 /// Stretches that are looked at together.
 const TOGETHER: usize = 8;
-/// Steps of a leaf by which the line through a segment may be off: both ends are written in steps, and single precision rounds less.
+/// Steps of a leaf by which the line through a segment may be off: both ends are written in steps, an end that would be the start is moved by one, and
+/// single precision rounds less.
 const STEPS_OFF: f32 = 2.0;
 
 /// How far the centre of a lane may be from the line through a segment of it `[m]`, by the map's tolerance and the leaf's step.
@@ -27,7 +28,7 @@ pub(crate) struct Held {
     count: usize,
     /// How far a lane's centre may be from its line `[m]`, if nearer centres come first.
     tolerance: f32,
-    /// The nearest centre of the lanes that hold the point is hardly farther than this `[m]`.
+    /// Of the stretches so far, the least that a centre can be off `[m]`. Only what is read ahead depends on it.
     nearest: f32,
 }
 

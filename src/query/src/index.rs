@@ -369,7 +369,7 @@ pub(crate) const PRODUCTS: f32 = 1.0 + 1.0 / (1 << 20) as f32;
 pub(crate) struct PlacesAround {
     /// As bits.
     pub(crate) places: u32,
-    /// Squared distances of the point from the lines through the segments, of all places `[m²]`.
+    /// Not more than the squared distances of the point from the lines through the segments, of all places `[m²]`.
     pub(crate) beside_squared: [f32; WIDTH],
 }
 

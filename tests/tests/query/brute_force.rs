@@ -19,7 +19,7 @@ const MAPS: [&str; 10] = [
     "gdal/5g_living_lab_A39_Wolfsburg-West",
     "sumo/adlershof_dlr_netconvert",
 ];
-/// Points of each map; a tenth of them in builds that are not optimised.
+/// Points of each map; a tenth of them in builds with debug assertions.
 const POINTS: usize = if cfg!(debug_assertions) { 1_000 } else { 10_000 };
 /// Distance between two cross-sections `[m]`.
 const STEP: f64 = 1.0;

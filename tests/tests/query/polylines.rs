@@ -3,11 +3,12 @@
 use mapd_client::batch::{BatchScratch, NearestLanes, Places};
 use mapd_client::compiling::ByRow as _;
 use mapd_client::compiling::SectionCutter;
-use mapd_client::glam::{DVec2, DVec3};
+use mapd_client::glam::DVec3;
 use mapd_client::roads::Polyline;
-use mapd_client::{Lane, Nearest, NearestOptions, Snapshot, Track};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Lane, LaneTypes, Map, Nearest, NearestOptions, Point, Snapshot, Track};
 use mapd_compiler::{CompileOptions, compile};
-use mapd_tests::maps::{Random, carried_and};
+use mapd_tests::maps::{Random, carried_and, open_text};
 use std::path::Path;
 
 /// Maps besides the carried ones.
@@ -29,6 +30,8 @@ const MAPS: [&str; 12] = [
 const PLACES: usize = if cfg!(debug_assertions) { 7 } else { 31 };
 /// Lanes of each map with places where the nearest of several lanes is compared.
 const OVERLAPS: usize = 500;
+/// More than are looked at together, twice.
+const ROADS_AT_ONE_PLACE: u32 = 20;
 /// Two lanes whose offsets differ by less than this `[m]` are equally near but for rounding.
 const TIE: f64 = 1e-9;
 /// Tolerances of centre lines and borders `[m]`: the default, a finer and a coarser pair.
@@ -109,33 +112,71 @@ fn check_overlaps(snapshot: &Snapshot, name: &str) -> usize {
         let t = edges.inner + (edges.outer - edges.inner) * random.unit();
         let at = lane.road().to_inertial(Track { s, t, h: 0.0 }).expect("a pose");
         // With some around it, so that a batch has something in common.
-        let around = DVec2::new(random.unit(), random.unit());
-        points.extend([0.0, 0.2, 0.4, 0.6].map(|far| at.position.truncate() + around * far));
+        let around = DVec3::new(random.unit(), random.unit(), 0.0);
+        points.extend([0.0, 0.2, 0.4, 0.6].map(|far| at.position + around * far));
     }
-    let (options, mut near) = (NearestOptions { radius: 0.0, ..<_>::default() }, Vec::new());
-    let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (p.x, p.y)).unzip();
-    let places = Places { x: &x, y: &y, z: None, heading: None };
+    let all = NearestOptions { radius: 0.0, ..NearestOptions::default() };
+    let few = NearestOptions { types: LaneTypes::drivable(), ..all };
+    let cars = NearestOptions { vehicle: Some(VehicleClass::PassengerCar), ..all };
+    let ahead = NearestOptions { heading: Some(random.unit()), ..all };
+    let variants = [("", all, false), ("drivable", few, false), ("cars", cars, false)];
+    let variants = variants.into_iter().chain([("heading", ahead, false), ("z", all, true)]);
+    variants
+        .map(|(what, options, has_z)| {
+            compared(map, &points, &options, has_z, &format!("{name} {what}"))
+        })
+        .sum()
+}
+
+/// Compares the nearest of the lanes that hold each point, with its height or without. Yields how many hold several.
+fn compared(
+    map: Map<'_>,
+    points: &[DVec3],
+    options: &NearestOptions,
+    has_z: bool,
+    name: &str,
+) -> usize {
+    let [x, y, z]: [Vec<f64>; 3] =
+        [0, 1, 2].map(|axis| points.iter().map(|point| point[axis]).collect());
+    let places = Places { x: &x, y: &y, z: has_z.then_some(&z), heading: None };
     let (mut scratch, mut batch) = (BatchScratch::default(), NearestLanes::default());
-    map.nearest_lanes(places, &options, &mut scratch, &mut batch).expect("answers");
-    let mut overlaps = 0;
+    map.nearest_lanes(places, options, &mut scratch, &mut batch).expect("answers");
+    let (mut near, mut overlaps) = (Vec::new(), 0);
     for (i, point) in points.iter().enumerate() {
-        map.lanes_near(*point, &options, &mut near).expect("an answer");
-        let found = map.nearest_lane(*point, &options).expect("an answer");
-        assert_eq!(batch.get(i), found, "{name}: {point}");
-        let lane = |nearest: &Nearest| nearest.lane;
-        let is_tied = |first: &Nearest| {
-            let offsets = found.map(|found| found.position.offset.abs());
-            offsets.is_some_and(|own| (own - first.position.offset.abs()).abs() <= TIE)
+        let point = if has_z { Point::from(*point) } else { Point::from(point.truncate()) };
+        map.lanes_near(point, options, &mut near).expect("an answer");
+        let found = map.nearest_lane(point, options).expect("an answer");
+        assert_eq!(batch.get(i), found, "{name}: {point:?}");
+        let first = near.first();
+        let offset = |nearest: &Nearest| nearest.position.offset.abs();
+        let is_tied = || {
+            let offsets = found.as_ref().map(offset).zip(first.map(offset));
+            offsets.is_some_and(|(own, first)| (own - first).abs() <= TIE)
         };
-        let is_first = near.first().map(lane) == found.as_ref().map(lane);
-        assert!(
-            is_first || near.first().is_some_and(is_tied),
-            "{name}: {point}: found {found:?}, expected {:?}",
-            near.first()
-        );
+        let is_first = first.map(|nearest| nearest.lane) == found.map(|nearest| nearest.lane);
+        assert!(is_first || is_tied(), "{name}: {point:?}: found {found:?}, expected {first:?}");
         overlaps += usize::from(near.len() > 1);
     }
     overlaps
+}
+
+/// More lanes at one place than are looked at together.
+#[test]
+fn the_nearest_of_many_lanes_at_one_place() {
+    let roads = (0..ROADS_AT_ONE_PLACE).map(|id| {
+        let offset = 0.3 * f64::from(id);
+        format!(
+            r#"<road id="{id}" length="100" junction="-1">
+<planView><geometry s="0" x="0" y="0" hdg="0.1" length="100"><arc curvature="0.005"/></geometry></planView>
+<lanes><laneOffset s="0" a="{offset}" b="0" c="0" d="0"/><laneSection s="0"><center><lane id="0"/></center>
+<right><lane id="-1" type="driving"><width sOffset="0" a="3.5" b="0.01" c="0" d="0"/></lane></right></laneSection></lanes></road>"#
+        )
+    });
+    let map = format!(
+        r#"<OpenDRIVE><header revMajor="1" revMinor="7"/>{}</OpenDRIVE>"#,
+        roads.collect::<String>()
+    );
+    assert!(check_overlaps(&open_text(&map), "roads at one place") > OVERLAPS);
 }
 
 /// What is computed for many places at once is what is computed for one: a section's cuts, the points of a line.

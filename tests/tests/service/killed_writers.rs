@@ -127,7 +127,7 @@ fn kill_at_another(scene: &Scene, met: &BTreeSet<Met>) -> Option<(ExitStatus, Me
     let before = scene.names();
     let (mut begun, mut calls, mut when) = (false, BTreeMap::new(), ("at its end".to_owned(), 0));
     let ended = traced.run(|moment| {
-        // Nothing else that a writer calls changes the names in a folder.
+        // No other call of a writer's changes the names in a folder.
         let may_name = ["open", "rename", "link", "mkdir"]
             .iter()
             .any(|part| moment.name.name().contains(part));

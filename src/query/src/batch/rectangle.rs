@@ -6,7 +6,7 @@ use glam::DVec2;
 use mapd_archive::ArchivedIndexLeafRow;
 use mapd_archive::packed_index::{ANY, REACH_UNIT};
 
-/// Square of a distance from a rectangle's middle line, times that of its segment's length.
+/// The square of the distance from the line through a segment, times the square of the segment's length.
 pub(super) struct Beside(f32);
 
 /// What [`crate::index::places_around`] tests for one place of a leaf, in the same numbers.
@@ -61,7 +61,7 @@ impl Rectangle {
         }
     }
 
-    /// How far beside the line through the segment a point lies that it holds, relative to the local origin. What is no number is not outside.
+    /// If it holds a point (relative to the local origin), how far that lies beside the line through the segment. What is no number is not outside.
     #[inline(always)]
     pub(super) fn holds(&self, local: DVec2) -> Option<Beside> {
         let (qx, qy) = ((local.x - self.corner.x) as f32, (local.y - self.corner.y) as f32);
@@ -78,6 +78,6 @@ impl Rectangle {
     /// The lane's centre is not nearer than this `[m]`.
     #[inline]
     pub(super) fn off_centre(&self, Beside(beside): Beside) -> f32 {
-        (beside / self.squared).sqrt() - self.slack
+        (beside / (self.squared * PRODUCTS)).sqrt() - self.slack
     }
 }

@@ -109,7 +109,22 @@ impl<'a> Tile<'a> {
                 }
             }
         });
+        self.put_first(middle);
         fits
+    }
+
+    /// Puts the stretch first whose centre may be nearest to a point: most places around it lie in the same one, and what comes after the nearest
+    /// hardly costs anything.
+    fn put_first(&mut self, middle: DVec2) {
+        let rectangles = self.rectangles.get(..self.count).unwrap_or_default();
+        let off_centre = |(k, rectangle): (usize, &Rectangle)| {
+            rectangle.holds(middle).map(|beside| (rectangle.off_centre(beside), k))
+        };
+        let held = rectangles.iter().enumerate().filter_map(off_centre);
+        if let Some((_, k)) = held.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            self.rectangles.swap(0, k);
+            self.stretches.swap(0, k);
+        }
     }
 
     /// Whether there is room; what cannot hold anything needs none.
@@ -138,6 +153,7 @@ impl<'a> Tile<'a> {
         let rectangles = self.rectangles.get(..self.count).unwrap_or_default();
         for (k, rectangle) in rectangles.iter().enumerate() {
             let Some(beside) = rectangle.holds(local) else { continue };
+            // Without one yet, there is no need for the root.
             if is_by_offset
                 && nearest.is_some()
                 && best.is_nearer_than(rectangle.off_centre(beside))
