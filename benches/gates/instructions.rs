@@ -18,8 +18,8 @@ const RUNS: [usize; 2] = [500, 2_500];
 /// Kinds of [`query_probe`](../planner/src/bin/query_probe.rs) and the instructions that one query may take on the carried town:
 /// what it took when the bound was set, and a twentieth.
 const BOUNDS: [(&str, u64); 12] = [
-    ("nearest", 3_735),
-    ("trajectory", 3_355),
+    ("nearest", 3_385),
+    ("trajectory", 2_985),
     ("beside", 24_550),
     ("hinted", 6_930),
     ("inertial", 520),
@@ -33,7 +33,7 @@ const BOUNDS: [(&str, u64); 12] = [
 ];
 
 /// Instructions that one particle of a cloud may take as part of a batch, on the carried town; a part of them lie beside all lanes.
-const PARTICLE: f64 = 1_400.0;
+const PARTICLE: f64 = 1_130.0;
 /// How many batches of particles, in the short and in the long run.
 const CLOUDS: [usize; 2] = [1, 3];
 

@@ -104,7 +104,7 @@ impl StringTable {
 
     /// Number of a text, or where it would be entered.
     fn find(&self, text: &[u8]) -> Result<u32, u64> {
-        // Half of what is asked for.
+        // Half of the texts that are asked for are empty.
         if text.is_empty() {
             return Ok(0);
         }

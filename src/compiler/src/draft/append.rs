@@ -10,8 +10,8 @@ use std::sync::Arc;
 impl Draft {
     /// Of a part of the document, to be appended to what comes before it.
     pub(crate) fn part(ontology: Arc<Ontology>, without: Without) -> Self {
-        let [interned, shapes] = [Interned::of_part(), Interned::of_part()];
-        Self { rows: Rows::part(), interned, shapes, ..Self::new(ontology, without) }
+        let [cubics, coefficients] = [Interned::of_part(), Interned::of_part()];
+        Self { rows: Rows::part(), cubics, coefficients, ..Self::new(ontology, without) }
     }
 
     /// Takes the part of the document that comes next. Strings, cubics, numbers of geometries and styles that are known already stand for its own;
@@ -19,10 +19,11 @@ impl Draft {
     pub(crate) fn append(&mut self, part: Self) {
         let mut moves = self.rows.moves();
         moves.strings = RowMapping::To(self.strings.append(&part.strings));
-        let its_cubics = (&part.interned, part.rows.cubics.as_slice());
-        moves.cubics = self.interned.append(&mut self.rows.cubics, its_cubics);
-        let its_numbers = (&part.shapes, part.rows.coefficients.as_slice());
-        moves.coefficients = self.shapes.append(&mut self.rows.coefficients, its_numbers);
+        let its_cubics = (&part.cubics, part.rows.cubics.as_slice());
+        moves.cubics = self.cubics.append(&mut self.rows.cubics, its_cubics);
+        let its_coefficients = (&part.coefficients, part.rows.coefficients.as_slice());
+        moves.coefficients =
+            self.coefficients.append(&mut self.rows.coefficients, its_coefficients);
         let grids = self.rows.elevation_grids.len();
         moves.road_mark_styles = self.styles.append(&mut self.rows, &part.rows, &moves);
         moves.road_marks =

@@ -1,4 +1,4 @@
-//! Cubic records and numbers of geometries, each sequence of them once.
+//! Cubic records and coefficients of geometries, each sequence of them once.
 //!
 //! Most lanes of a section are as wide as their neighbours, and most roads are as flat. Most arcs of a map have one of few
 //! curvatures, and its crossings few shapes. Stored once, they take less room, and few of them are waited for.
@@ -36,7 +36,10 @@ impl Interned {
         let known = *self.known.entry(hash).or_insert(own);
         // Of two sequences with one hash the later one lies for itself.
         if known == own || bytes(known) != bytes(own) {
-            if let Some(sequences) = &mut self.sequences {
+            // Where the empty one was found first, it is found again.
+            let is_new =
+                |entries: &Vec<(Range, Option<u64>)>| entries.last() != Some(&(own, Some(hash)));
+            if let Some(sequences) = self.sequences.as_mut().filter(|entries| is_new(entries)) {
                 sequences.push((own, Some(hash)));
             }
             return own;

@@ -49,9 +49,9 @@ pub(crate) struct Draft {
     pub(crate) placed: StatedGeoreference,
     pub(crate) styles: Styles,
     /// Sequences of cubics.
-    pub(crate) interned: Interned,
-    /// Numbers of geometries.
-    pub(crate) shapes: Interned,
+    pub(crate) cubics: Interned,
+    /// Coefficients of geometries.
+    pub(crate) coefficients: Interned,
     pub(crate) signals: Signals,
     /// What got rows of the top-level element that is being lowered.
     pub(crate) owners: Owners,

@@ -159,7 +159,7 @@ fn step(searched: &[Searched<'_>]) -> f64 {
     if most > 0.0 { most / MOST_STEPS } else { 1.0 }
 }
 
-/// Distances by landmark, then by place, in steps rounded down: a quarter of what the searches yield, of which there are two.
+/// Distances by landmark, then by place, in steps rounded down: two bytes for each place.
 struct Columns {
     step: f64,
     columns: Vec<Vec<u16>>,

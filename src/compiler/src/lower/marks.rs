@@ -115,6 +115,6 @@ impl Draft {
             };
             self.rows.cubics.push(CubicRow { s: s + ds, a, b, c, d });
         }
-        self.interned.add(&mut self.rows.cubics, before)
+        self.cubics.add(&mut self.rows.cubics, before)
     }
 }

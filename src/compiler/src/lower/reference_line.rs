@@ -68,7 +68,7 @@ impl Draft {
             cos: start.cos,
             sin: start.sin,
             length: piece.length,
-            coefficients: self.shapes.add(&mut self.rows.coefficients, first),
+            coefficients: self.coefficients.add(&mut self.rows.coefficients, first),
             error: (compiled.error as f32).next_up(),
             kind: compiled.kind.code(),
             parameter_range,
@@ -98,7 +98,7 @@ impl Draft {
             }
             self.rows.cubics.push(CubicRow { s: s + shift, a, b, c, d });
         }
-        self.interned.add(&mut self.rows.cubics, before)
+        self.cubics.add(&mut self.rows.cubics, before)
     }
 }
 

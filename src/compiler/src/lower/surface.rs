@@ -94,7 +94,7 @@ impl Draft {
         for station in placed.chunk_by(|(s, _), (z, _)| s == z) {
             let first = self.rows.cubics.len();
             self.rows.cubics.extend(station.iter().map(|(_, row)| *row));
-            let records = self.interned.add_apart(&self.rows.cubics, first);
+            let records = self.cubics.add_apart(&self.rows.cubics, first);
             let s = station.first().map_or(0.0, |(s, _)| *s);
             self.rows.shape_stations.push(ShapeStationRow { s, records });
         }
@@ -136,7 +136,7 @@ impl Draft {
                 .map(|attribute| attribute.value().unwrap_or(0.0));
             CubicRow { s, a, b, c, d }
         }));
-        self.interned.add(&mut self.rows.cubics, before)
+        self.cubics.add(&mut self.rows.cubics, before)
     }
 
     /// Appends heights and materials of the lane whose row comes next.

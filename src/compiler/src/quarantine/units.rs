@@ -80,7 +80,7 @@ enum Start {
 #[derive(Default)]
 pub(crate) struct Units {
     begins: Vec<Begin>,
-    /// Parts that [`Begin`] has no room for: their owner is in another file, or they go on behind a part of theirs.
+    /// Parts that [`Begin`] has no room for: their owner is in another file or more than 4 GiB before, or they go on behind a part of theirs.
     far: Vec<Unit>,
     is_sorted: bool,
 }

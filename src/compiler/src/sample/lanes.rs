@@ -15,9 +15,9 @@ use std::collections::HashMap;
 /// Sections that one task samples; small enough to share work evenly, large enough to be worth a task.
 const SECTIONS_PER_TASK: usize = 16;
 
-/// Sections that are sampled before their points are appended: many tasks for each thread. What these yield is many small blocks,
-/// which would leave their memory to small blocks alone if it were that of a whole map.
-const SECTIONS_AT_ONCE: usize = 4096;
+/// Sections that are sampled before their points are appended: many tasks for each thread. What they yield is many small blocks; where those of a whole
+/// map are freed, no table can get their memory. Builds with debug assertions join much smaller parts, so that tests have several.
+const SECTIONS_AT_ONCE: usize = if cfg!(debug_assertions) { 2 * SECTIONS_PER_TASK } else { 4096 };
 
 /// Share of the index' tolerance that centre lines use up. Shorter segments have sharper rectangles around them, but there are
 /// more of them: of shares from 0.25 to 1, with this one queries on the carried town take the fewest instructions.
