@@ -150,11 +150,10 @@ def nearest_by_mapd(one, poses, kinds):
 
 
 def bends(one, road, s):
-    """Whether a road bends at s, and sharply: by more than just before and just behind, as an arc does everywhere."""
-    rows = "road_id,s,t\n" + "".join(f"{road},{max(0.0, s + k * SHARP)},0\n" for k in (-3, -1, 1, 3))
-    headings = [float(row["hdg"]) for row in csv.DictReader(io.StringIO(run(one.mapd, "query", one.source, "inertial", given=rows)))]
-    before, here, behind = (abs(math.remainder(b - a, math.tau)) for a, b in zip(headings, headings[1:]))
-    return here > TURN + max(before, behind)
+    """Whether a road bends sharply at s."""
+    rows = f"road_id,s,t\n{road},{max(0.0, s - SHARP)},0\n{road},{s + SHARP},0\n"
+    before, behind = (float(row["hdg"]) for row in csv.DictReader(io.StringIO(run(one.mapd, "query", one.source, "inertial", given=rows))))
+    return abs(math.remainder(behind - before, math.tau)) > TURN
 
 
 def nearest_by_lanelet2(one, poses):
