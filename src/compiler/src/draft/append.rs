@@ -14,7 +14,7 @@ impl Draft {
         Self { rows: Rows::part(), cubics, coefficients, ..Self::new(ontology, without) }
     }
 
-    /// Takes the part of the document that comes next. Strings, cubics, numbers of geometries and styles that are known already stand for its own;
+    /// Takes the part of the document that comes next. Strings, cubics, coefficients and styles that are known already stand for its own;
     /// each new one comes where it would if the part had been lowered here.
     pub(crate) fn append(&mut self, part: Self) {
         let mut moves = self.rows.moves();

@@ -36,7 +36,7 @@ impl Interned {
         let known = *self.known.entry(hash).or_insert(own);
         // Of two sequences with one hash the later one lies for itself.
         if known == own || bytes(known) != bytes(own) {
-            // Where the empty one was found first, it is found again.
+            // The empty sequence takes no room, so that the same one may come again at once.
             let is_new =
                 |entries: &Vec<(Range, Option<u64>)>| entries.last() != Some(&(own, Some(hash)));
             if let Some(sequences) = self.sequences.as_mut().filter(|entries| is_new(entries)) {
@@ -83,7 +83,7 @@ impl Interned {
 mod tests {
     use super::*;
 
-    /// Numbers of geometries were kept for each of them until all was read. Sequences of two parts become those of the whole, each
+    /// Coefficients were kept for each geometry until all was read. Sequences of two parts become those of the whole, each
     /// where it would lie if there were no parts, and once.
     #[test]
     fn appended_sequences_are_those_of_one_table() {
