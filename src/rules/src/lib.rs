@@ -35,6 +35,7 @@ mod place;
 mod profile;
 mod rule;
 mod settings;
+mod shapes;
 mod sink;
 pub mod structural;
 mod walk;

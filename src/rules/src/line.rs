@@ -1,9 +1,8 @@
 //! From `<geometry>` and `<curveLocal>` to curves: the one place where that is done. The rules look at these curves, and the map is built of them.
 
 use crate::place::value;
-use mapd_geometry::{
-    CompileError, Compiled, Curve, CurvePoint, ParameterRange, Primitive, Start, compile,
-};
+use crate::shapes::compiled;
+use mapd_geometry::{CompileError, Compiled, Curve, CurvePoint, ParameterRange, Primitive, Start};
 use mapd_xodr::{Attribute, CurveLocal, Geometry, ParamPoly3Range, PlanView, Span};
 
 /// A geometry that is a curve.
@@ -172,7 +171,7 @@ impl Piece {
         let primitive = primitive(g, faults);
         let ([s, x, y, heading, length], (primitive, range)) = (numbers?, primitive?);
         let compiled =
-            compile(&primitive, length).map_err(|error| faults.push(Fault::Curve(error)));
+            compiled(&primitive, length).map_err(|error| faults.push(Fault::Curve(error)));
         let start = Start::new(x, y, heading);
         Some(Self { s, length, index, start, range, compiled: compiled.ok()? })
     }
