@@ -40,9 +40,8 @@ EXACT, SHARE = 1e-6, 1e-3
 ASIDE, REACH = 2.5, 8.0
 # Around a foot, in which a polyline is looked at for bends [m].
 NEAR = 2.0
-# Along a road, in which it bends sharply if its direction turns by more than [`TURN`] [m]. There, lanes are open or lie on themselves: an area between
-# polylines is another one.
-SHARP = 0.1
+# Along a road, in which it has a kink if its direction turns by more than [`TURN`] [m]. Beside a kink lanes are open, and polylines bridge the wedge.
+KINK = 0.01
 # So near to a section's end a place belongs to either [m].
 SECTION = 1e-6
 # Lanes nearer than this, in deviations, are clear candidates: both know them.
@@ -141,19 +140,41 @@ def by_mapd(one, poses, kinds):
 
 
 def nearest_by_mapd(one, poses, kinds):
-    """Of each pose the nearest lane's distance [m], its road and s there, if there is one."""
+    """Of each pose the nearest lane's distance [m], the lane's key, its road and s there, if there is one."""
     rows = io.StringIO()
     csv.writer(rows).writerows([["x", "y"], *(pose[:2] for pose, *_ in poses.poses)])
     asked = ["query", one.source, "nearest", "--types", ",".join(kinds), "--radius", str(REACH)]
     for row in csv.DictReader(io.StringIO(run(one.mapd, *asked, given=rows.getvalue()))):
-        yield (float(row["distance"]), row["road_id"], float(row["s"])) if row["lane"] else (None, None, None)
+        yield (float(row["distance"]), row["lane"], row["road_id"], float(row["s"])) if row["lane"] else (None, None, None, None)
 
 
-def bends(one, road, s):
-    """Whether a road bends sharply at s."""
-    rows = f"road_id,s,t\n{road},{max(0.0, s - SHARP)},0\n{road},{s + SHARP},0\n"
+def has_kink(one, road, s):
+    """Whether a road has a kink at s."""
+    rows = f"road_id,s,t\n{road},{max(0.0, s - KINK)},0\n{road},{s + KINK},0\n"
     before, behind = (float(row["hdg"]) for row in csv.DictReader(io.StringIO(run(one.mapd, "query", one.source, "inertial", given=rows))))
     return abs(math.remainder(behind - before, math.tau)) > TURN
+
+
+def crosses_itself(lanelet):
+    """Whether a lanelet's outline crosses itself, so that what lies inside is not told: where a lane is wider than its bend."""
+    ring = [(point.x, point.y) for point in lanelet.polygon2d()]
+    ring = [point for i, point in enumerate(ring) if point != ring[i - 1]]
+    sides = [(point, ring[(i + 1) % len(ring)]) for i, point in enumerate(ring)]
+    left = lambda a, b, c: (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    return any(
+        left(*first, second[0]) * left(*first, second[1]) < 0 and left(*second, first[0]) * left(*second, first[1]) < 0
+        for i, first in enumerate(sides)
+        for second in sides[i + 2 :]
+    )
+
+
+def reason(one, lane, road, s):
+    """Why areas may differ at a place of a lane, if there is a reason."""
+    if has_kink(one, road, s):
+        return "the road has a kink there"
+    if any(crosses_itself(lanelet) for lanelet in one.own if lanelet.attributes["lane_key"] == lane):
+        return "the lane lies on itself"
+    return None
 
 
 def nearest_by_lanelet2(one, poses):
@@ -216,16 +237,15 @@ class Comparison:
         for n, (mine, theirs) in enumerate(zip(by_mapd(one, poses, kinds), by_lanelet2(one, poses), strict=True)):
             self.pose(one, n, poses.poses[n], mine, theirs)
             self.rank(poses.poses[n], mine, theirs)
-        for n, ((mine, road, at), theirs) in enumerate(zip(nearest_by_mapd(one, poses, kinds), nearest_by_lanelet2(one, poses), strict=True)):
+        for n, ((mine, *where), theirs) in enumerate(zip(nearest_by_mapd(one, poses, kinds), nearest_by_lanelet2(one, poses), strict=True)):
             if mine is None or theirs is None:
                 near = min(distance for distance in (mine, theirs, REACH) if distance is not None) < REACH - 2 * PLACE
                 self.count("nearest known to one alone", (one.source.name, n, mine, theirs) if near else None)
             elif abs(mine - theirs) <= PLACE:
                 self.count("nearest alike")
             else:
-                known = bends(one, road, at)
-                what = "nearest differs: the road bends sharply there" if known else "nearest differs"
-                self.count(what, None if known else (one.source.name, n, mine, theirs))
+                why = reason(one, *where)
+                self.count(f"nearest differs: {why}", None if why else (one.source.name, n, mine, theirs))
 
     def rank(self, given, mine, theirs):
         """Counts pairs of lanes that both know and whose distances are far from each other, by whether both put them in one order. Distances that agree
