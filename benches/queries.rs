@@ -1,6 +1,6 @@
 //! Nearest lane and (s, t) → (x, y, z), against rstar and the crate `xodr`, in one run.
 
-use mapd_benches::{PARTICLES, best, cloud, maps, percentiles, places, print};
+use mapd_benches::{PARTICLES, best, cloud, maps, percentiles, places, print, wait};
 use mapd_client::batch::{
     BatchScratch, NearestLanes, Places, PoseMatches, Poses, TrackPositions, Tracks,
 };
@@ -167,6 +167,7 @@ fn main() {
             compile(file, &CompileOptions::default(), &mut |_| {}).expect("reading works");
         let rows = compiled.rows.expect("accepted");
         let archive = mapd_archive::encode(&rows, &compiled.provenance).expect("encodes");
+        let bytes = archive.len();
         let snapshot = Snapshot::from_bytes(archive).expect("opens");
         let map = snapshot.map();
         let roads: Vec<_> = map.roads().collect();
@@ -201,6 +202,10 @@ fn main() {
         let strewn = on_roads(STREWN);
         batch(map, &format!("{STREWN} places, {name}"), &strewn);
         marks_and_ground(map, &format!("{STREWN} places, {name}"), &strewn);
+        print(&format!(
+            "a read that waits for the one before, in {bytes} B as {name}'s archive has: {}",
+            ns(wait(bytes))
+        ));
         for (kind, along) in [("random", false), ("along a trajectory", true)] {
             let places = places(map, along, QUERIES);
             let track = |&(road, s, t): &(u32, f64, f64)| {

@@ -34,7 +34,9 @@ const BOUNDS: [(&str, u64); 12] = [
 
 /// Instructions that one particle of a cloud may take as part of a batch, on the carried town; a part of them lie beside all lanes.
 const PARTICLE: f64 = 1_130.0;
-/// How many batches of particles, in the short and in the long run.
+/// Instructions that one place along the longest road may take from track coordinates as part of a batch.
+const PLACE: f64 = 386.0;
+/// How many batches of particles, and of places, in the short and in the long run.
 const CLOUDS: [usize; 2] = [1, 3];
 
 /// Kinds of [`path_probe`](../planner/src/bin/path_probe.rs), on a path of at least 500 m over the carried town and between its ends, as for queries.
@@ -182,9 +184,11 @@ fn main() -> ExitCode {
     for ((kind, bound), each) in BOUNDS.into_iter().zip(counted(&jobs)) {
         exceeded |= exceeds(kind, each, bound as f64, 0);
     }
-    let jobs = ["cloud", "cloud-single"].map(|kind| Job::new(&probe, &[&path, kind], CLOUDS));
+    let kinds = ["cloud", "cloud-single", "inertial-batch"];
+    let jobs = kinds.map(|kind| Job::new(&probe, &[&path, kind], CLOUDS));
     let clouds = counted(&jobs);
-    let [batch, single] = [0, 1].map(|i| clouds[i] / mapd_planner::PARTICLES as f64);
+    let [batch, single, place] = [0, 1, 2].map(|i| clouds[i] / mapd_planner::PARTICLES as f64);
+    exceeded |= exceeds("inertial, a place of a batch", place, PLACE, 0);
     exceeded |= exceeds("cloud, per particle", batch, PARTICLE, 0);
     print(&format!("the same one by one: {single:.0}, {:.1} ×", single / batch));
     let mut jobs =

@@ -19,6 +19,7 @@ use mapd_client::{Map, Snapshot};
 pub use mapd_planner::{PARTICLES, cloud, long_way, places};
 pub use mapd_tests::maps::{Random, own_roads};
 use quick_xml::events::Event;
+use std::hint::black_box;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -152,6 +153,28 @@ pub fn percentiles(mut times: Vec<Duration>) -> (Duration, Duration) {
         times.get(((times.len() as f64 - 1.0) * share) as usize).copied().unwrap_or_default()
     };
     (at(0.5), at(0.99))
+}
+
+/// Bytes that a processor reads at a time.
+const LINE: usize = 64;
+/// Reads of [`wait`].
+const READS: u32 = 1 << 20;
+
+/// The floor of a query at a random place: a read of so many bytes' memory that waits for the one before.
+pub fn wait(bytes: usize) -> Duration {
+    let count = (bytes / LINE).max(2);
+    // Each line names the next; all are one ring (Sattolo's shuffle).
+    let mut lines: Vec<[u64; LINE / 8]> = (0..count as u64).map(|i| [i; LINE / 8]).collect();
+    let mut random = Random(9);
+    for i in (1..count).rev() {
+        lines.swap(i, (random.unit() * i as f64) as usize);
+    }
+    let (start, mut at) = (Instant::now(), 0u64);
+    for _ in 0..READS {
+        at = lines[at as usize][0];
+    }
+    black_box(at);
+    start.elapsed() / READS
 }
 
 /// The floor of reading: quick-xml's loop over every event, every attribute, every number. The sum of the numbers.

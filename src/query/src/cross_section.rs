@@ -1,12 +1,13 @@
 //! A road cut across: what all lanes at one s have in common.
 
-use crate::profile::{self, At};
-use crate::road::{GeometryPiece, Road};
+use crate::line_stretch::{LineStretch, ValidRange};
+use crate::profile::{self, At, Record};
+use crate::road::Road;
 use crate::section::LaneSection;
 use crate::types::LaneEdges;
 use glam::DVec3;
-use mapd_archive::{ArchivedCubicRow, ArchivedLaneRow, lane_flags};
-use mapd_geometry::{Cubic, clamp};
+use mapd_archive::{ArchivedLaneRow, lane_flags};
+use mapd_geometry::clamp;
 
 /// The plane h = 0 of a road at one s: places beside each other differ by t alone (OpenDRIVE 1.8.1, 8.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,21 +61,6 @@ pub struct SectionCutter<'a> {
     lanes: Option<Widths>,
 }
 
-/// From which s on and up to which one the same records hold.
-#[derive(Clone, Copy)]
-struct ValidRange {
-    from: f64,
-    to: f64,
-}
-
-/// What the reference line is made of for a while.
-struct LineStretch<'a> {
-    held: ValidRange,
-    piece: GeometryPiece<'a>,
-    elevation: Record,
-    superelevation: Record,
-}
-
 /// What the lanes are made of for a while.
 struct Widths {
     held: ValidRange,
@@ -84,42 +70,11 @@ struct Widths {
     right: Vec<Width>,
 }
 
-/// A record as it is evaluated; 0 everywhere where none holds.
-#[derive(Clone, Copy, Default)]
-struct Record {
-    s: f64,
-    cubic: Cubic,
-}
-
 /// Width or border of one lane.
 #[derive(Clone, Copy)]
 struct Width {
     record: Record,
     is_border: bool,
-}
-
-impl Record {
-    fn new(row: Option<&ArchivedCubicRow>) -> Self {
-        row.map_or(Self::default(), |row| Self { s: row.s(), cubic: profile::cubic(row) })
-    }
-
-    #[inline]
-    fn value(&self, s: f64) -> f64 {
-        self.cubic.value(s - self.s)
-    }
-
-    fn is_constant(&self) -> bool {
-        self.is_even() && self.cubic.b == 0.0
-    }
-
-    /// Whether it grows evenly.
-    fn is_even(&self) -> bool {
-        self.cubic.c == 0.0 && self.cubic.d == 0.0
-    }
-
-    fn is_zero(&self) -> bool {
-        self.is_even() && self.cubic.a == 0.0 && self.cubic.b == 0.0
-    }
 }
 
 impl Width {
@@ -131,39 +86,6 @@ impl Width {
         let width = if record > 0.0 { record } else { 0.0 };
         *edge = if self.is_border { record } else { inner + sign * width };
         LaneEdges { inner, outer: *edge }
-    }
-}
-
-impl ValidRange {
-    const ALWAYS: Self = Self { from: f64::NEG_INFINITY, to: f64::INFINITY };
-
-    fn contains(self, hold: f64) -> bool {
-        hold >= self.from && hold < self.to
-    }
-
-    fn covers(self, from: f64, to: f64) -> bool {
-        from >= self.from && to <= self.to
-    }
-
-    /// Between the start of what holds, the one before `next`, and that of the next.
-    fn narrow<T>(&mut self, rows: &[T], next: usize, start: impl Fn(&T) -> f64) {
-        if let Some(row) = next.checked_sub(1).and_then(|i| rows.get(i)) {
-            self.from = self.from.max(start(row));
-        }
-        if let Some(row) = rows.get(next) {
-            self.to = self.to.min(start(row));
-        }
-    }
-
-    /// The record that holds.
-    fn record<'a>(
-        &mut self,
-        rows: &'a [ArchivedCubicRow],
-        hold: f64,
-    ) -> Option<&'a ArchivedCubicRow> {
-        let next = rows.partition_point(|row| row.s() <= hold);
-        self.narrow(rows, next, ArchivedCubicRow::s);
-        next.checked_sub(1).and_then(|i| rows.get(i))
     }
 }
 
@@ -303,20 +225,6 @@ impl SectionCutter<'_> {
     }
 }
 
-impl<'a> LineStretch<'a> {
-    fn at(road: &Road<'a>, s: f64) -> Option<Self> {
-        let mut held = ValidRange::ALWAYS;
-        let rows = road.geometries();
-        let next = rows.partition_point(|row| row.s() <= s);
-        held.narrow(rows, next, |row| row.s());
-        // Before the first geometry, that one holds.
-        let piece = road.piece(rows.get(next.saturating_sub(1))?)?;
-        let elevation = Record::new(held.record(road.elevations(), s));
-        let superelevation = Record::new(held.record(road.superelevations(), s));
-        Some(Self { held, piece, elevation, superelevation })
-    }
-}
-
 impl Widths {
     /// A lane, counted from the left, and those between it and the centre lane, from there outwards, with the sign of t on
     /// their side.
@@ -338,10 +246,10 @@ impl Widths {
         let is_temporary = lanes.first()?.flags() & lane_flags::TEMPORARY != 0;
         let offsets =
             if is_temporary { road.temporary_lane_offsets() } else { road.lane_offsets() };
-        let offset = Record::new(held.record(offsets, hold));
+        let offset = Record::of(held.record(offsets, hold));
         let cubics = section.map.tables().cubics;
         let mut width = |lane: &ArchivedLaneRow| Width {
-            record: Record::new(held.record(lane.widths().of(cubics), hold)),
+            record: Record::of(held.record(lane.widths().of(cubics), hold)),
             is_border: lane.flags() & lane_flags::BORDER != 0,
         };
         let left = lanes.get(..center)?.iter().rev().map(&mut width).collect();

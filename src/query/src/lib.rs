@@ -78,6 +78,7 @@ mod lane;
 mod lane_edges;
 mod lane_length;
 mod lane_words;
+mod line_stretch;
 mod map;
 mod marks;
 mod matching;

@@ -50,8 +50,8 @@ fn among(records: &[ArchivedCubicRow], at: At) -> Option<&ArchivedCubicRow> {
     begun(records, at.hold, |r| r.s()).checked_sub(1).and_then(|i| records.get(i))
 }
 
-/// A record apart from the archive.
-#[derive(Clone, Copy, Debug)]
+/// A record apart from the archive; 0 everywhere where none holds.
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Record {
     s: f64,
     cubic: Cubic,
@@ -61,15 +61,38 @@ impl Record {
     /// What holds before the first record: 0.
     pub(crate) const NONE: Self = Self { s: 0.0, cubic: Cubic { a: 0.0, b: 0.0, c: 0.0, d: 0.0 } };
 
+    pub(crate) fn of(row: Option<&ArchivedCubicRow>) -> Self {
+        row.map_or(Self::NONE, |row| Self { s: row.s(), cubic: cubic(row) })
+    }
+
     #[inline]
     pub(crate) fn value(&self, s: f64) -> f64 {
         self.cubic.value(s - self.s)
+    }
+
+    #[inline]
+    pub(crate) fn slope(&self, s: f64) -> Slope {
+        let ds = s - self.s;
+        Slope { value: self.cubic.value(ds), derivative: self.cubic.derivative(ds) }
+    }
+
+    pub(crate) fn is_constant(&self) -> bool {
+        self.is_even() && self.cubic.b == 0.0
+    }
+
+    /// Whether it grows evenly.
+    pub(crate) fn is_even(&self) -> bool {
+        self.cubic.c == 0.0 && self.cubic.d == 0.0
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.is_even() && self.cubic.a == 0.0 && self.cubic.b == 0.0
     }
 }
 
 /// The record that holds at a place: its [`Record::value`] is [`value`] wherever the same holds.
 pub(crate) fn held(records: &[ArchivedCubicRow], at: At) -> Record {
-    record(records, at).map_or(Record::NONE, |r| Record { s: r.s(), cubic: cubic(r) })
+    Record::of(record(records, at))
 }
 
 #[inline]
@@ -79,10 +102,7 @@ pub(crate) fn value(records: &[ArchivedCubicRow], at: At) -> f64 {
 
 #[inline]
 pub(crate) fn slope(records: &[ArchivedCubicRow], at: At) -> Slope {
-    record(records, at).map_or(Slope::default(), |r| {
-        let (cubic, ds) = (cubic(r), at.s - r.s());
-        Slope { value: cubic.value(ds), derivative: cubic.derivative(ds) }
-    })
+    record(records, at).map_or(Slope::default(), |r| Record::of(Some(r)).slope(at.s))
 }
 
 /// As [`slope`], of a record that grows evenly; none of another.

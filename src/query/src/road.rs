@@ -73,6 +73,20 @@ pub(crate) fn geometry_at(rows: &[ArchivedGeometryRow], s: f64) -> usize {
     begun(rows, s, |g| g.s()).saturating_sub(1)
 }
 
+/// An s moved onto the reference line, and whether it was.
+#[inline(always)]
+pub(crate) fn kept(s: f64, end: f64) -> Result<(f64, Clamped), QueryError> {
+    let on_line = clamp(s, 0.0, end);
+    // An s that did not move is finite.
+    if on_line == s {
+        Ok((on_line, Clamped::No))
+    } else if s.is_finite() {
+        Ok((on_line, Clamped::of(s, 0.0, end + JOINT)))
+    } else {
+        Err(QueryError::NotFinite)
+    }
+}
+
 impl<'a> Road<'a> {
     #[inline]
     pub(crate) fn new(map: Map<'a>, number: u32) -> Option<Self> {
@@ -348,16 +362,7 @@ impl<'a> Road<'a> {
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn to_inertial(&self, track: Track) -> Result<Pose, QueryError> {
-        let end = self.reference_end().max(0.0);
-        let s = clamp(track.s, 0.0, end);
-        // An s that did not move is finite.
-        let clamped = if s == track.s {
-            Clamped::No
-        } else if track.s.is_finite() {
-            Clamped::of(track.s, 0.0, end + JOINT)
-        } else {
-            return Err(QueryError::NotFinite);
-        };
+        let (s, clamped) = kept(track.s, self.reference_end().max(0.0))?;
         let pose = self.pose(At::new(s), track.t, track.h)?;
         Ok(Pose { clamped, ..pose })
     }
@@ -371,11 +376,23 @@ impl<'a> Road<'a> {
         }
         // Before the reference line, which takes longer: what they read is waited for together.
         let elevation = profile::slope(self.elevations(), at);
-        let (roll_cos, roll_sin, superelevation) = self.roll_angle(at);
+        let roll = self.roll_angle(at);
         let point = self.reference_at(at).ok_or(QueryError::Corrupt)?;
+        Ok(self.pose_beside(&point, elevation, roll, [t, h]))
+    }
+
+    /// The pose at t and h beside and above a point of the reference line, with cosine, sine and angle of the superelevation.
+    #[inline(always)]
+    pub(crate) fn pose_beside(
+        &self,
+        point: &CurvePoint,
+        elevation: profile::Slope,
+        (roll_cos, roll_sin, superelevation): (f64, f64, f64),
+        [t, h]: [f64; 2],
+    ) -> Pose {
         let lateral = t * roll_cos - h * roll_sin;
         let origin = self.map.origin();
-        Ok(Pose {
+        Pose {
             position: DVec3::new(
                 origin.x + (point.x - point.sin * lateral),
                 origin.y + (point.y + point.cos * lateral),
@@ -386,7 +403,7 @@ impl<'a> Road<'a> {
             slope: elevation.derivative,
             superelevation,
             clamped: Clamped::No,
-        })
+        }
     }
 
     /// Track position of a point: the foot on the nearest place of the whole reference line. Without z in plan view

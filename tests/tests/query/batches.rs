@@ -7,7 +7,7 @@ use mapd_client::glam::{DMat3, DVec2, DVec3};
 use mapd_client::localisation::{
     GroundScratch, MarkFilter, MatchError, MatchOptions, VehicleOutline, VehiclePose,
 };
-use mapd_client::{LaneTypes, Map, NearestOptions, Point, QueryError, Track};
+use mapd_client::{LaneTypes, Map, NearestOptions, Point, Pose, QueryError, Road, Track};
 use mapd_tests::carried;
 use mapd_tests::maps::{self, Random};
 
@@ -36,6 +36,9 @@ fn places(map: Map<'_>, random: &mut Random) -> Vec<DVec2> {
     }
     all
 }
+
+/// Roads of a map whose places are compared.
+const ROADS: usize = 40;
 
 /// All places, with these options, against single calls.
 fn check(map: Map<'_>, places: Places<'_>, options: &NearestOptions) {
@@ -77,7 +80,7 @@ fn nearest_lanes_are_those_of_single_calls() {
 }
 
 #[test]
-fn poses_roads_ground_and_marks_answer_as_single_calls() {
+fn poses_ground_and_marks_answer_as_single_calls() {
     let snapshot = maps::open(&carried("town.xodr"));
     let (map, random) = (snapshot.map(), &mut Random(32));
     let points = places(map, random);
@@ -103,22 +106,6 @@ fn poses_roads_ground_and_marks_answer_as_single_calls() {
             assert_eq!((out.none()[i], out.of(i)), (none.expect("an answer"), &single[..]));
         }
     }
-    let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (p.x, p.y)).unzip();
-    for road in map.roads() {
-        let (mut feet, mut back) = (TrackPositions::default(), Poses::default());
-        let places = Places { x: &x, y: &y, z: None, heading: None };
-        road.to_track_batch(places, &mut feet).expect("feet");
-        let tracks = Tracks { s: &feet.s, t: &feet.t, h: None };
-        road.to_inertial_batch(tracks, &mut back).expect("places");
-        for (i, point) in points.iter().enumerate() {
-            let at = road.to_track(*point).expect("a foot");
-            assert_eq!((feet.s[i], feet.t[i], feet.exact[i]), (at.s, at.t, at.exact));
-            let pose = road.to_inertial(Track { s: at.s, t: at.t, h: 0.0 }).expect("a place");
-            let got = [back.x[i], back.y[i], back.z[i], back.heading[i], back.slope[i]];
-            let p = pose.position;
-            assert_eq!(got, [p.x, p.y, p.z, pose.heading, pose.slope]);
-        }
-    }
     let heights: Vec<Point> = points.iter().map(|point| (*point).into()).collect();
     let (mut room, mut ground) = (GroundScratch::default(), Vec::new());
     map.ground_below(&heights, &[], &mut room, &mut ground).expect("answers");
@@ -127,6 +114,51 @@ fn poses_roads_ground_and_marks_answer_as_single_calls() {
     for (i, point) in points.iter().enumerate() {
         assert_eq!(ground[i], map.ground_at(*point, &[], &mut room).expect("an answer"));
         assert_eq!(marks[i], map.nearest_mark(*point, &filter).expect("an answer"));
+    }
+}
+
+/// Places of a road against single calls: feet of points, and the poses of places that are in no order and beyond the ends, too.
+fn check_road(road: &Road<'_>, points: &[DVec2]) {
+    let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (p.x, p.y)).unzip();
+    let mut feet = TrackPositions::default();
+    let places = Places { x: &x, y: &y, z: None, heading: None };
+    road.to_track_batch(places, &mut feet).expect("feet");
+    for (i, point) in points.iter().enumerate() {
+        let at = road.to_track(*point).expect("a foot");
+        assert_eq!((feet.s[i], feet.t[i], feet.exact[i]), (at.s, at.t, at.exact));
+    }
+    let beyond =
+        |(i, s): (usize, &f64)| if i % 5 == 0 { s + 3.0 * (i % 7) as f64 - 9.0 } else { *s };
+    let s: Vec<f64> = feet.s.iter().enumerate().map(beyond).collect();
+    let h: Vec<f64> = (0..s.len()).map(|i| 0.1 * (i % 4) as f64).collect();
+    let mut out = Poses::default();
+    for h in [None, Some(h.as_slice())] {
+        road.to_inertial_batch(Tracks { s: &s, t: &feet.t, h }, &mut out).expect("places");
+        assert_eq!((out.x.len(), out.clamped.len()), (s.len(), s.len()));
+        for (i, (s, t)) in s.iter().zip(&feet.t).enumerate() {
+            let track = Track { s: *s, t: *t, h: h.map_or(0.0, |h| h[i]) };
+            let pose = road.to_inertial(track).expect("a place");
+            let Pose { position: p, heading, curvature, slope, superelevation, clamped } = pose;
+            let expected = [p.x, p.y, p.z, heading, curvature, slope, superelevation];
+            let Poses { x, y, z, heading, curvature, slope, superelevation, .. } = &out;
+            let found = [x, y, z, heading, curvature, slope, superelevation];
+            assert_eq!(found.map(|column| column[i].to_bits()), expected.map(f64::to_bits));
+            assert_eq!(out.clamped[i], clamped);
+        }
+    }
+}
+
+#[test]
+fn places_of_roads_are_those_of_single_calls() {
+    for path in maps::carried_and(&["esmini/velodrome", "Scenic/Issue295a"]) {
+        let snapshot = maps::open(&path);
+        let map = snapshot.map();
+        let points = places(map, &mut Random(33));
+        // Of many roads some, evenly spread.
+        let step = map.roads().count().div_ceil(ROADS).max(1);
+        for road in map.roads().step_by(step) {
+            check_road(&road, &points);
+        }
     }
 }
 
@@ -171,6 +203,14 @@ fn what_is_wrong_is_named_by_its_number() {
 
     let road = map.roads().next().expect("a road");
     let tracks = Tracks { s: &good, t: &wrong, h: None };
-    let error = road.to_inertial_batch(tracks, &mut Poses::default());
+    let mut out = Poses::default();
+    let error = road.to_inertial_batch(tracks, &mut out);
     assert_eq!(error, Err(QueryError::NotFiniteAt(2)));
+    // Too far for a coordinate. Nothing is left of those before.
+    road.to_inertial_batch(Tracks { s: &good, t: &good, h: None }, &mut out).expect("places");
+    assert_eq!(out.x.len(), good.len());
+    let far = [1.0, 2.0, 1e300];
+    let error = road.to_inertial_batch(Tracks { s: &good, t: &far, h: None }, &mut out);
+    assert_eq!(error, Err(QueryError::NotFiniteAt(2)));
+    assert_eq!(out, Poses::default());
 }

@@ -1,10 +1,10 @@
 //! One process that opens an archive and asks a number of queries: `query_probe PATH KIND COUNT`, for counting
 //! instructions. Kinds: `nearest` (random over the roads), `trajectory` (in steps of half a metre), `beside` (the same
-//! beside the road, in no lane), `hinted` (that with the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `route` (the shortest way between random
+//! beside the road, in no lane), `hinted` (that with the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `inertial-batch` (that of 5,000 places along the longest road, as a batch), `route` (the shortest way between random
 //! places that have one), `border` (all points of a lane's border), `near` (all lanes within the radius), `near-few` (within a metre); of the nearest lane or its road
 //! `track` (x, y to s, t), `position`, `contains`, `length` and `short-length` (along the whole longest lane and over a metre of it); `cloud` and `cloud-single` (5,000 particles as a batch, and one by one); `none`.
 
-use mapd_client::batch::{BatchScratch, NearestLanes, Places};
+use mapd_client::batch::{BatchScratch, NearestLanes, Places, Poses, Tracks};
 use mapd_client::route::{PositionOnLane, RouteScratch, ShortestLength};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Lane, Map, NearestOptions, Snapshot, Track, glam::DVec2};
@@ -81,6 +81,11 @@ fn main() -> ExitCode {
     let particles = cloud(points[0], PARTICLES);
     let (x, y): (Vec<f64>, Vec<f64>) = particles.iter().map(|p| (p.x, p.y)).unzip();
     let (mut scratch_of_batch, mut found) = (BatchScratch::default(), NearestLanes::default());
+    let long_road = longest.road();
+    let share = |i: usize| long_road.length() * i as f64 / PARTICLES as f64;
+    let along_s: Vec<f64> = (0..PARTICLES).map(share).collect();
+    let along_t: Vec<f64> = (0..PARTICLES).map(|i| (i % 9) as f64 - 4.0).collect();
+    let mut poses = Poses::default();
     for i in 0..count {
         match kind.as_str() {
             "nearest" | "trajectory" | "beside" => {
@@ -92,6 +97,10 @@ fn main() -> ExitCode {
             }
             "inertial" | "inertial-trajectory" => {
                 black_box(point(&places[i % places.len()]));
+            }
+            "inertial-batch" => {
+                let tracks = Tracks { s: &along_s, t: &along_t, h: None };
+                black_box(long_road.to_inertial_batch(tracks, &mut poses).ok());
             }
             "route" => {
                 // A map may have no ways.

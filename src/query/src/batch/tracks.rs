@@ -2,8 +2,10 @@
 
 use super::{Places, check_columns, number};
 use crate::error::QueryError;
-use crate::road::Road;
-use crate::types::{Clamped, Pose, Track, TrackPosition};
+use crate::line_stretch::LineStretch;
+use crate::profile;
+use crate::road::{Road, kept};
+use crate::types::{Clamped, Pose, Track, TrackPosition, is_coordinate};
 
 /// Track coordinates, a column each, all as long as `s`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -52,16 +54,20 @@ impl Poses {
         [x, y, z, heading, curvature, slope, superelevation]
     }
 
-    fn clear(&mut self) {
-        self.columns().into_iter().for_each(Vec::clear);
-        self.clamped.clear();
+    fn resize(&mut self, count: usize) {
+        self.columns().into_iter().for_each(|column| column.resize(count, 0.0));
+        self.clamped.resize(count, Clamped::No);
     }
 
-    fn push(&mut self, pose: &Pose) {
+    /// Sets what there is of a number.
+    #[inline]
+    fn set(&mut self, i: usize, pose: &Pose) {
         let Pose { position: p, heading, curvature, slope, superelevation, clamped } = *pose;
         let values = [p.x, p.y, p.z, heading, curvature, slope, superelevation];
-        self.columns().into_iter().zip(values).for_each(|(column, value)| column.push(value));
-        self.clamped.push(clamped);
+        for (column, value) in self.columns().into_iter().zip(values) {
+            column.get_mut(i).into_iter().for_each(|place| *place = value);
+        }
+        self.clamped.get_mut(i).into_iter().for_each(|place| *place = clamped);
     }
 }
 
@@ -106,21 +112,56 @@ impl TrackPositions {
     }
 }
 
+/// Gives places along a road their poses: what holds at one place is not looked up again for the next where it still does.
+struct Placer<'a> {
+    road: Road<'a>,
+    end: f64,
+    stretch: Option<LineStretch<'a>>,
+}
+
+impl Placer<'_> {
+    /// As [`Road::to_inertial`], bit for bit.
+    #[inline]
+    fn pose(&mut self, track: Track) -> Result<Pose, QueryError> {
+        let (s, clamped) = kept(track.s, self.end)?;
+        if !(is_coordinate(track.t) && is_coordinate(track.h)) {
+            return Err(QueryError::NotFinite);
+        }
+        if !self.stretch.as_ref().is_some_and(|stretch| stretch.held.contains(s)) {
+            self.stretch = LineStretch::at(&self.road, s);
+        }
+        let stretch = self.stretch.as_ref().ok_or(QueryError::Corrupt)?;
+        let point = stretch.piece.curve.evaluate(s - stretch.piece.s);
+        let superelevation = stretch.superelevation.value(s);
+        let (roll_cos, roll_sin) = profile::roll(superelevation);
+        let roll = (roll_cos, roll_sin, superelevation);
+        let beside = [track.t, track.h];
+        let pose = self.road.pose_beside(&point, stretch.elevation.slope(s), roll, beside);
+        Ok(Pose { clamped, ..pose })
+    }
+}
+
 impl Road<'_> {
-    /// [`Road::to_inertial`] of many places, in their order. `out` is emptied first; it grows only if it is too small.
+    /// [`Road::to_inertial`] of many places, in their order. What `out` had before is gone, after an error too; it grows only if it is too small.
     ///
     /// Errors: a column that is not as long as the others, by its name; coordinates that are not finite, by the number of the
     /// place; a damaged archive.
     pub fn to_inertial_batch(&self, tracks: Tracks<'_>, out: &mut Poses) -> Result<(), QueryError> {
-        out.clear();
+        let placed = self.place_all(tracks, out);
+        if placed.is_err() {
+            out.resize(0);
+        }
+        placed
+    }
+
+    fn place_all(&self, tracks: Tracks<'_>, out: &mut Poses) -> Result<(), QueryError> {
         check_columns(&[("s", Some(tracks.s)), ("t", Some(tracks.t)), ("h", tracks.h)])?;
+        out.resize(tracks.s.len());
+        let mut placer = Placer { road: *self, end: self.reference_end().max(0.0), stretch: None };
         for i in 0..tracks.s.len() {
             let h = tracks.h.map_or(0.0, |h| number(h, i));
-            out.push(&self.to_inertial(Track {
-                s: number(tracks.s, i),
-                t: number(tracks.t, i),
-                h,
-            })?);
+            let track = Track { s: number(tracks.s, i), t: number(tracks.t, i), h };
+            out.set(i, &placer.pose(track)?);
         }
         Ok(())
     }
