@@ -32,6 +32,9 @@ const BOUNDS: [(&str, u64); 12] = [
     ("short-length", 1_175),
 ];
 
+/// Most that all lanes near a place may take where they are few, as a multiple of the nearest alone within the same radius.
+const FEW: f64 = 2.0;
+
 /// Instructions that one particle of a cloud may take as part of a batch, on the carried town; a part of them lie beside all lanes.
 const PARTICLE: f64 = 1_130.0;
 /// Instructions that one place along the longest road may take from track coordinates as part of a batch.
@@ -181,9 +184,15 @@ fn main() -> ExitCode {
     };
     let mut exceeded = false;
     let jobs = BOUNDS.map(|(kind, _)| Job::new(&probe, &[&path, kind], RUNS));
-    for ((kind, bound), each) in BOUNDS.into_iter().zip(counted(&jobs)) {
-        exceeded |= exceeds(kind, each, bound as f64, 0);
+    let counts = counted(&jobs);
+    for ((kind, bound), each) in BOUNDS.into_iter().zip(&counts) {
+        exceeded |= exceeds(kind, *each, bound as f64, 0);
     }
+    let of = |(kind, _): &(&str, u64)| *kind == "near-few";
+    let few = BOUNDS.iter().position(of).map(|at| counts[at]).expect("counted");
+    let nearest = counted(&[Job::new(&probe, &[&path, "nearest-few"], RUNS)])[0];
+    let what = format!("near-few: {:.2} of the nearest alone", few / nearest);
+    exceeded |= exceeds(&what, few, nearest * FEW, 0);
     let kinds = ["cloud", "cloud-single", "inertial-batch"];
     let jobs = kinds.map(|kind| Job::new(&probe, &[&path, kind], CLOUDS));
     let clouds = counted(&jobs);

@@ -217,19 +217,25 @@ impl<'a> Curve<'a> {
     #[must_use]
     #[inline]
     pub fn beside(&self, x: f64, y: f64, seed: f64, lo: f64, hi: f64) -> Option<[f64; 2]> {
+        self.closed_foot(x, y, lo, hi).or_else(|| {
+            let foot = self.project_from(x, y, seed, lo, hi);
+            (!foot.clamped).then_some([foot.u, foot.lateral])
+        })
+    }
+
+    /// As [`beside`](Self::beside), where a line or an arc tells it in closed form. None of a point elsewhere, of another curve, and where rounding decides.
+    #[must_use]
+    #[inline]
+    pub fn closed_foot(&self, x: f64, y: f64, lo: f64, hi: f64) -> Option<[f64; 2]> {
         let (first, last) = (self.clamp(lo), clamp(hi, self.clamp(lo), self.length));
         let target = self.start.localize(x, y);
-        let quick = match &self.shape {
+        match &self.shape {
             Shape::Line => (first <= target.x && target.x <= last).then_some([target.x, target.y]),
             Shape::Arc { curvature } => arc::project_inside(*curvature, target, first, last)
                 .map(|u| [u, arc::lateral(*curvature, target)])
                 .filter(|[_, lateral]| lateral.is_finite()),
             _ => None,
-        };
-        quick.or_else(|| {
-            let foot = self.project_from(x, y, seed, lo, hi);
-            (!foot.clamped).then_some([foot.u, foot.lateral])
-        })
+        }
     }
 
     /// The one place between `lo` and `hi` `[m]` of a line or an arc, which goes on before its start and behind its end, that has (`x`, `y`) `[m]`

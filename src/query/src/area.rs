@@ -338,18 +338,20 @@ pub(crate) fn place_at_foot<'a>(
 /// The place of a point with respect to one slab, wherever the point is; `local` is relative to the map's origin.
 #[inline]
 pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabPosition<'a> {
-    let piece = &slab.piece;
-    let foot = piece.curve.project_from(
-        local.x,
-        local.y,
-        slab.middle() - piece.s,
-        slab.s_lo - piece.s,
-        slab.s_hi - piece.s,
-    );
-    let across = LateralPlace::new(lane, slab, foot.u, foot.lateral);
+    let (curve, s) = (&slab.piece.curve, slab.piece.s);
+    let (first, last) = (slab.s_lo - s, slab.s_hi - s);
+    // Most points lie beside the slab. Of a line or an arc that is told for less.
+    let (u, lateral, beyond) = match curve.closed_foot(local.x, local.y, first, last) {
+        Some([u, lateral]) => (u, lateral, None),
+        None => {
+            let foot = curve.project_from(local.x, local.y, slab.middle() - s, first, last);
+            (foot.u, foot.lateral, foot.clamped.then_some(foot))
+        }
+    };
+    let across = LateralPlace::new(lane, slab, u, lateral);
     let beside = across.is_beside();
     let mut distance = f64::INFINITY;
-    if foot.clamped {
+    if let Some(foot) = &beyond {
         let [low, high] = across.sides().map(|t| t * across.roll.0);
         let (tangent, normal) = (DVec2::new(foot.cos, foot.sin), DVec2::new(-foot.sin, foot.cos));
         let away = local - DVec2::new(foot.x, foot.y);
@@ -362,7 +364,7 @@ pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabP
     if beside {
         distance = distance.min(across.border_distance(lane, slab, local));
     }
-    SlabPosition::new(slab, &across, distance, foot.clamped)
+    SlabPosition::new(slab, &across, distance, beyond.is_some())
 }
 
 /// One border of a lane within a slab, as seen from a point.

@@ -1,10 +1,10 @@
 //! All lanes near a point.
 
 use crate::error::QueryError;
-use crate::index::{self, LaneSegment};
+use crate::index;
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::nearest::{Nearest, NearestOptions, round_up};
+use crate::nearest::{Candidate, Nearest, NearestOptions, round_up};
 use crate::types::Point;
 use std::cmp::Ordering;
 
@@ -40,10 +40,12 @@ impl<'a> Map<'a> {
                 if f64::from(lower[k]) > most {
                     continue;
                 }
-                let stretch = LaneSegment { lane: lanes[k], segment: segments[k] };
-                let found = self.candidate(stretch, point, local, options);
+                let lane = Lane::new(*self, lanes[k]);
+                let lane = lane.filter(|lane| options.types.contains(lane.kind()));
+                let Some(lane) = lane else { continue };
+                let found = Candidate::on(&lane, segments[k], point, local, options);
                 let found = found.filter(|found| found.distance() <= most);
-                let Some(found) = found.and_then(|found| found.nearest(*self)) else { continue };
+                let Some(found) = found.map(|found| found.nearest_on(&lane)) else { continue };
                 match known.and_then(|at| out.get_mut(at)) {
                     None => out.push(found),
                     Some(known) if self.is_better(&found, known, point, options) => *known = found,
@@ -72,12 +74,12 @@ impl<'a> Map<'a> {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let lower = index::lower_bounds(leaf, qx, qy, heights);
             for k in (0..lower.len()).filter(|k| lower[*k] <= bound) {
-                let Some(lane) = Lane::new(*self, lanes[k]).filter(&counts) else { continue };
-                let stretch = LaneSegment { lane: lanes[k], segment: segments[k] };
-                let found = self.candidate(stretch, point, local, options);
-                let found = found.filter(|found| found.distance() <= 0.0);
-                if let Some(nearest) = found.and_then(|found| found.nearest(*self)) {
-                    each(&lane, nearest.position.s);
+                let lane = Lane::new(*self, lanes[k]).filter(&counts);
+                let lane = lane.filter(|lane| options.types.contains(lane.kind()));
+                let Some(lane) = lane else { continue };
+                let found = Candidate::on(&lane, segments[k], point, local, options);
+                if let Some(found) = found.filter(|found| found.distance() <= 0.0) {
+                    each(&lane, found.place.s());
                 }
             }
             bound

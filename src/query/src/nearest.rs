@@ -178,6 +178,19 @@ impl<'a> Candidate<'a> {
         (!excluded).then_some(Self { lane, place, heading_difference, z_difference })
     }
 
+    /// The place on a stretch of a lane, wherever the point is.
+    #[inline]
+    pub(crate) fn on(
+        lane: &Lane<'a>,
+        segment: u16,
+        point: Point,
+        local: DVec2,
+        options: &NearestOptions,
+    ) -> Option<Self> {
+        let slab = area::slab(lane, usize::from(segment))?;
+        Self::new(lane, area::place(lane, &slab, local), point, options)
+    }
+
     /// As [`Self::new`], in a stretch that holds the point.
     #[inline(always)]
     pub(crate) fn around(
@@ -197,8 +210,13 @@ impl<'a> Candidate<'a> {
     }
 
     pub(crate) fn nearest(&self, map: Map<'a>) -> Option<Nearest> {
-        let lane = Lane::new(map, self.lane)?;
-        Some(Nearest { lane: lane.lane_id(), position: self.place.position(&lane) })
+        Some(self.nearest_on(&Lane::new(map, self.lane)?))
+    }
+
+    /// As [`Self::nearest`], where its lane is known.
+    #[inline]
+    pub(crate) fn nearest_on(&self, lane: &Lane<'a>) -> Nearest {
+        Nearest { lane: lane.lane_id(), position: self.place.position(lane) }
     }
 
     #[inline]
@@ -414,21 +432,28 @@ impl<'a> Map<'a> {
         point: Point,
         options: &NearestOptions,
     ) -> Option<Rank> {
-        let lane = Lane::new(*self, found.lane.row())?;
         let LanePosition { s, t, distance, z, .. } = found.position;
         let offset = found.position.offset_of_reference_line;
         let heading = found.position.heading_of_reference_line;
-        let heading_difference =
-            options.heading.map_or(0.0, |travel| heading_difference(&lane, heading, travel));
-        let z_difference = point.z.map_or(0.0, |point| {
-            let (at, edges) = (lane.at(s), lane.edges_at(s));
-            let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
-            // As a candidate has it; within the lane z is that already.
-            let beside = if distance == 0.0 { 0.0 } else { t - clamp(t, low, high) };
-            (point - (z - beside * lane.road.roll(at).1)).abs()
-        });
-        let lane = found.lane.row();
-        Some(Rank { lane, distance, heading_difference, z_difference, offset, s, t })
+        let row = found.lane.row();
+        // Mostly nothing of the lane itself counts.
+        let lane = || Lane::new(*self, row);
+        let heading_difference = match options.heading {
+            Some(travel) => heading_difference(&lane()?, heading, travel),
+            None => 0.0,
+        };
+        let z_difference = match point.z {
+            Some(point) => {
+                let lane = lane()?;
+                let (at, edges) = (lane.at(s), lane.edges_at(s));
+                let (low, high) = (edges.inner.min(edges.outer), edges.inner.max(edges.outer));
+                // As a candidate has it; within the lane z is that already.
+                let beside = if distance == 0.0 { 0.0 } else { t - clamp(t, low, high) };
+                (point - (z - beside * lane.road.roll(at).1)).abs()
+            }
+            None => 0.0,
+        };
+        Some(Rank { lane: row, distance, heading_difference, z_difference, offset, s, t })
     }
 
     /// A lane's stretch as a candidate; `None` where the options exclude it.
@@ -442,8 +467,7 @@ impl<'a> Map<'a> {
     ) -> Option<Candidate<'a>> {
         let lane = Lane::new(*self, stretch.lane);
         let lane = lane.filter(|lane| options.types.contains(lane.kind()))?;
-        let slab = area::slab(&lane, usize::from(stretch.segment))?;
-        Candidate::new(&lane, area::place(&lane, &slab, local), point, options)
+        Candidate::on(&lane, stretch.segment, point, local, options)
     }
 
     /// As [`Self::candidate`], of a stretch that holds the point.

@@ -1,7 +1,7 @@
 //! One process that opens an archive and asks a number of queries: `query_probe PATH KIND COUNT`, for counting
 //! instructions. Kinds: `nearest` (random over the roads), `trajectory` (in steps of half a metre), `beside` (the same
 //! beside the road, in no lane), `hinted` (that with the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `inertial-batch` (that of 5,000 places along the longest road, as a batch), `route` (the shortest way between random
-//! places that have one), `border` (all points of a lane's border), `near` (all lanes within the radius), `near-few` (within a metre); of the nearest lane or its road
+//! places that have one), `border` (all points of a lane's border), `near` (all lanes within the radius), `near-few` (within a metre), `nearest-few` (the nearest within a metre); of the nearest lane or its road
 //! `track` (x, y to s, t), `position`, `contains`, `length` and `short-length` (along the whole longest lane and over a metre of it); `cloud` and `cloud-single` (5,000 particles as a batch, and one by one); `none`.
 
 use mapd_client::batch::{BatchScratch, NearestLanes, Places, Poses, Tracks};
@@ -62,7 +62,7 @@ fn main() -> ExitCode {
     let points: Vec<DVec2> =
         places.iter().filter_map(|place| Some(point(place)?.truncate())).collect();
     let mut options = NearestOptions::default();
-    if kind == "near-few" {
+    if kind.ends_with("-few") {
         options.radius = 1.0;
     }
     let mut scratch = RouteScratch::with_capacity(map.lane_nodes().len());
@@ -88,7 +88,7 @@ fn main() -> ExitCode {
     let mut poses = Poses::default();
     for i in 0..count {
         match kind.as_str() {
-            "nearest" | "trajectory" | "beside" => {
+            "nearest" | "nearest-few" | "trajectory" | "beside" => {
                 black_box(map.nearest_lane(points[i % points.len()], &options).ok());
             }
             "hinted" => {
