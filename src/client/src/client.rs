@@ -31,15 +31,37 @@ pub enum Attach {
 enum Source {
     Observer(Observer),
     #[cfg(feature = "subscriber")]
-    Subscriber(Box<Subscription>),
+    Subscriber(Box<Subscriber>),
+}
+
+/// A subscription, and where it looks for overlays, which are in no sample.
+#[cfg(feature = "subscriber")]
+struct Subscriber {
+    subscription: Subscription,
+    beside: Observer,
 }
 
 impl Source {
+    #[cfg(feature = "subscriber")]
+    fn subscriber(subscription: Subscription, domain: &Domain, map: &str) -> Self {
+        let beside = Observer::idle(domain, map);
+        Self::Subscriber(Box::new(Subscriber { subscription, beside }))
+    }
+
+    /// Where overlays are looked for.
+    fn observer(&self) -> &Observer {
+        match self {
+            Self::Observer(observer) => observer,
+            #[cfg(feature = "subscriber")]
+            Self::Subscriber(subscriber) => &subscriber.beside,
+        }
+    }
+
     fn newer_than(&self, than: u64) -> Result<Option<Pinned>, AttachError> {
         match self {
             Self::Observer(observer) => observer.newer_than(than),
             #[cfg(feature = "subscriber")]
-            Self::Subscriber(subscription) => subscription.newer_than(than),
+            Self::Subscriber(subscriber) => subscriber.subscription.newer_than(than),
         }
     }
 
@@ -47,7 +69,7 @@ impl Source {
         match self {
             Self::Observer(observer) => observer.wait_newer(than, until),
             #[cfg(feature = "subscriber")]
-            Self::Subscriber(subscription) => subscription.wait_newer(than, until),
+            Self::Subscriber(subscriber) => subscriber.subscription.wait_newer(than, until),
         }
     }
 }
@@ -57,9 +79,6 @@ pub struct Client {
     name: String,
     domain: Domain,
     source: Source,
-    /// Where a subscriber looks for overlays, which are in no sample.
-    #[cfg(feature = "subscriber")]
-    beside: Observer,
     current: Mutex<Snapshot>,
     populate: AtomicBool,
 }
@@ -93,7 +112,7 @@ impl Client {
             Attach::Observer => Source::Observer(Observer::connect(domain, map, until)?),
             #[cfg(feature = "subscriber")]
             Attach::Subscriber => {
-                Source::Subscriber(Box::new(Subscription::connect(domain, map, until)?))
+                Source::subscriber(Subscription::connect(domain, map, until)?, domain, map)
             }
         };
         Self::with(source, domain, map, until)
@@ -112,7 +131,7 @@ impl Client {
     ) -> Result<Self, ClientError> {
         let until = after(deadline);
         let subscription = Subscription::connect_in_reserve(domain, map, until)?;
-        Self::with(Source::Subscriber(Box::new(subscription)), domain, map, until)
+        Self::with(Source::subscriber(subscription, domain, map), domain, map, until)
     }
 
     fn with(
@@ -121,23 +140,14 @@ impl Client {
         map: &str,
         until: Instant,
     ) -> Result<Self, ClientError> {
-        #[cfg(feature = "subscriber")]
-        let beside = Observer::idle(domain, map);
-        #[cfg(feature = "subscriber")]
-        let observer = match &source {
-            Source::Observer(observer) => observer,
-            Source::Subscriber(_) => &beside,
-        };
-        #[cfg(not(feature = "subscriber"))]
-        let Source::Observer(observer) = &source;
         let mut late = 0;
         let current = loop {
             let pinned = source.wait_newer(0, until)?;
             let snapshot = Snapshot::from_pinned(pinned, map)?;
-            if let Some(pair) = lay(observer, &snapshot)? {
+            if let Some(pair) = lay(source.observer(), &snapshot)? {
                 break pair;
             }
-            if !looks_again(observer, until, &mut late) {
+            if !looks_again(source.observer(), until, &mut late) {
                 return Err(none_came(domain, map, 0).into());
             }
         };
@@ -146,20 +156,9 @@ impl Client {
             name: map.to_owned(),
             domain: domain.clone(),
             source,
-            #[cfg(feature = "subscriber")]
-            beside,
             current,
             populate,
         })
-    }
-
-    /// Where overlays are looked for.
-    fn observer(&self) -> &Observer {
-        match &self.source {
-            Source::Observer(observer) => observer,
-            #[cfg(feature = "subscriber")]
-            Source::Subscriber(_) => &self.beside,
-        }
     }
 
     /// How this client is attached.
@@ -190,7 +189,7 @@ impl Client {
     pub fn attach_timing(&self) -> Option<AttachTiming> {
         match &self.source {
             Source::Observer(_) => None,
-            Source::Subscriber(subscription) => Some(subscription.timing()),
+            Source::Subscriber(subscriber) => Some(subscriber.subscription.timing()),
         }
     }
 
@@ -236,7 +235,7 @@ impl Client {
             if Instant::now() >= until {
                 return Ok(false);
             }
-            self.observer().sleep(until);
+            self.source.observer().sleep(until);
         }
     }
 
@@ -259,7 +258,7 @@ impl Client {
             if let Some(kept) = self.keep(&self.open(pinned)?)? {
                 return Ok(kept);
             }
-            if !looks_again(self.observer(), until, &mut late) {
+            if !looks_again(self.source.observer(), until, &mut late) {
                 return Err(none_came(&self.domain, &self.name, than).into());
             }
         }
@@ -311,7 +310,7 @@ impl Client {
             let kept = self.keep(&wanted)?;
             match kept {
                 Some(kept) if kept.generation() == generation => return Ok(kept),
-                None if Instant::now() < until => self.observer().sleep(until),
+                None if Instant::now() < until => self.source.observer().sleep(until),
                 kept => {
                     let newest = kept.map_or(generation, |kept| kept.generation());
                     let map = self.name.clone();
@@ -332,7 +331,7 @@ impl Client {
     fn keep(&self, new: &Snapshot) -> Result<Option<Snapshot>, ClientError> {
         let mut current = self.current.lock().unwrap_or_else(PoisonError::into_inner);
         let is_newer = new.generation() > current.generation();
-        let observer = self.observer();
+        let observer = self.source.observer();
         if !is_newer && observer.is_unchanged() {
             return Ok(Some(current.clone()));
         }

@@ -19,7 +19,7 @@ pub(crate) fn slack(tolerance: f32, step: f32) -> f32 {
 pub(crate) struct HeldBy {
     pub(crate) stretch: LaneSegment,
     /// The lane's centre is not nearer to the point than this `[m]`.
-    pub(crate) off_centre: f32,
+    pub(crate) off_center: f32,
 }
 
 /// Some stretches whose rectangles hold a point, the one whose centre may be nearest first.
@@ -28,7 +28,7 @@ pub(crate) struct Held {
     count: usize,
     /// How far a lane's centre may be from its line `[m]`, if nearer centres come first.
     tolerance: f32,
-    /// Of the stretches so far, the least that a centre can be off `[m]`. Only what is read ahead depends on it.
+    /// Of the stretches so far, the least of what a centre can be off at most `[m]`. Only what is read ahead depends on it.
     nearest: f32,
 }
 
@@ -36,7 +36,7 @@ impl Held {
     /// None yet. Without a tolerance nothing is known of the centres.
     pub(crate) fn new(tolerance: Option<f64>) -> Self {
         Self {
-            stretches: [HeldBy { stretch: LaneSegment::NONE, off_centre: 0.0 }; TOGETHER],
+            stretches: [HeldBy { stretch: LaneSegment::NONE, off_center: 0.0 }; TOGETHER],
             count: 0,
             tolerance: tolerance.map_or(f32::INFINITY, |tolerance| tolerance as f32),
             nearest: f32::INFINITY,
@@ -58,19 +58,19 @@ impl Held {
     #[inline(always)]
     pub(crate) fn add(&mut self, stretch: LaneSegment, beside_squared: f32, step: f32) -> bool {
         let (beside, slack) = (beside_squared.sqrt(), slack(self.tolerance, step));
-        let off_centre = beside - slack;
+        let off_center = beside - slack;
         if beside + slack < self.nearest {
             self.nearest = beside + slack;
         }
         // Insertion keeps the nearest first.
         let mut place = self.count.min(TOGETHER - 1);
-        while place > 0 && off_centre < self.stretches[place - 1].off_centre {
+        while place > 0 && off_center < self.stretches[place - 1].off_center {
             self.stretches[place] = self.stretches[place - 1];
             place -= 1;
         }
-        self.stretches[place] = HeldBy { stretch, off_centre };
+        self.stretches[place] = HeldBy { stretch, off_center };
         self.count = (self.count + 1).min(TOGETHER);
-        off_centre <= self.nearest
+        off_center <= self.nearest
     }
 
     /// The stretches, nearest first.
@@ -83,7 +83,7 @@ impl Held {
     #[inline]
     pub(crate) fn promising(&self) -> &[HeldBy] {
         let stretches = self.stretches();
-        let count = stretches.iter().take_while(|held| held.off_centre <= self.nearest).count();
+        let count = stretches.iter().take_while(|held| held.off_center <= self.nearest).count();
         stretches.get(..count).unwrap_or_default()
     }
 }

@@ -276,9 +276,9 @@ impl<'a> Best<'a> {
 
     /// Whether it lies in a lane whose centre is nearer than this `[m]`.
     #[inline]
-    pub(crate) fn is_nearer_than(&self, off_centre: f32) -> bool {
+    pub(crate) fn is_nearer_than(&self, off_center: f32) -> bool {
         self.0.as_ref().is_some_and(|best| {
-            best.distance() == 0.0 && best.place.offset.abs() < f64::from(off_centre)
+            best.distance() == 0.0 && best.place.offset.abs() < f64::from(off_center)
         })
     }
 }
@@ -372,7 +372,7 @@ impl<'a> Map<'a> {
     ) {
         fetch::records(self.tables(), held.promising());
         for held in held.stretches() {
-            if !best.is_nearer_than(held.off_centre) {
+            if !best.is_nearer_than(held.off_center) {
                 let found = self.candidate_around(held.stretch, point, local, options);
                 best.consider(found, *self, options);
             }

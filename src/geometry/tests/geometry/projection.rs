@@ -222,7 +222,7 @@ fn projection_from_a_bad_seed_ends_at_a_foot_or_an_end() {
 #[test]
 fn beside_a_range_the_projection_is_the_same() {
     let mut random = Random(28);
-    let mut told = 0;
+    let (mut told, mut in_closed_form) = (0, 0);
     for _ in 0..6000 {
         let (sample, full_turns) = (curve_of(&mut random, 6.0), random.range(0.0, 1.0) < 0.2);
         let curve = sample.curve();
@@ -236,8 +236,11 @@ fn beside_a_range_the_projection_is_the_same() {
         let beside = curve.beside(x, y, seed, lo, hi).map(|found| found.map(f64::to_bits));
         assert_eq!(beside, expected, "{:?} in [{lo}, {hi}], from ({x}, {y})", sample.primitive);
         told += usize::from(beside.is_some());
+        let closed = curve.closed_foot(x, y, lo, hi).map(|found| found.map(f64::to_bits));
+        assert!(closed.is_none() || closed == expected, "{:?}", sample.primitive);
+        in_closed_form += usize::from(closed.is_some());
     }
-    assert!(told > 1000, "{told}");
+    assert!(told > 1000 && in_closed_form > 500, "{told}, {in_closed_form}");
 }
 
 #[test]

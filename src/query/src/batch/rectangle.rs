@@ -77,7 +77,7 @@ impl Rectangle {
 
     /// The lane's centre is not nearer than this `[m]`.
     #[inline]
-    pub(super) fn off_centre(&self, Beside(beside): Beside) -> f32 {
+    pub(super) fn off_center(&self, Beside(beside): Beside) -> f32 {
         (beside / (self.squared * PRODUCTS)).sqrt() - self.slack
     }
 }

@@ -109,7 +109,9 @@ impl<'a> Tile<'a> {
                 }
             }
         });
-        self.put_first(middle);
+        if fits {
+            self.put_first(middle);
+        }
         fits
     }
 
@@ -117,10 +119,10 @@ impl<'a> Tile<'a> {
     /// hardly costs anything.
     fn put_first(&mut self, middle: DVec2) {
         let rectangles = self.rectangles.get(..self.count).unwrap_or_default();
-        let off_centre = |(k, rectangle): (usize, &Rectangle)| {
-            rectangle.holds(middle).map(|beside| (rectangle.off_centre(beside), k))
+        let off_center = |(k, rectangle): (usize, &Rectangle)| {
+            rectangle.holds(middle).map(|beside| (rectangle.off_center(beside), k))
         };
-        let held = rectangles.iter().enumerate().filter_map(off_centre);
+        let held = rectangles.iter().enumerate().filter_map(off_center);
         if let Some((_, k)) = held.min_by(|a, b| a.0.total_cmp(&b.0)) {
             self.rectangles.swap(0, k);
             self.stretches.swap(0, k);
@@ -156,7 +158,7 @@ impl<'a> Tile<'a> {
             // Without one yet, there is no need for the root.
             if is_by_offset
                 && nearest.is_some()
-                && best.is_nearer_than(rectangle.off_centre(beside))
+                && best.is_nearer_than(rectangle.off_center(beside))
             {
                 continue;
             }

@@ -2,6 +2,7 @@
 #![allow(unsafe_code)]
 
 use super::page::{PAGE_BYTES, Page};
+use super::slot::SlotContent;
 use crate::mapping::{Mapping, leave_out_of_core_dumps};
 use crate::share::Share;
 use crate::user::trusts;
@@ -11,6 +12,7 @@ use rustix::io::Errno;
 use rustix::mm::ProtFlags;
 use std::io;
 use std::path::Path;
+use std::sync::{Arc, Mutex};
 
 const _: () = assert!(size_of::<Page>() <= PAGE_BYTES && align_of::<Page>() <= 8);
 
@@ -76,6 +78,8 @@ pub(super) fn identity(stat: &Stat) -> Identity {
 pub(super) struct Record {
     map: Mapping,
     pub(super) identity: Identity,
+    /// What it said when it was last read, and its sequence then.
+    pub(super) last: Mutex<Option<(u32, Arc<SlotContent>)>>,
 }
 
 /// Opens one of the daemon's records for writing; the group that the daemon shares with may read it.
@@ -101,7 +105,7 @@ impl Record {
             return Err(bad(format!("expected {PAGE_BYTES} bytes, found {}", stat.st_size)));
         }
         let map = Mapping::new(file, PAGE_BYTES, access)?;
-        Ok(Self { map, identity: identity(stat) })
+        Ok(Self { map, identity: identity(stat), last: Mutex::default() })
     }
 
     pub(super) fn page(&self) -> &Page {

@@ -82,7 +82,7 @@ impl Observer {
                 record => record?,
             };
             let (sequence, said) = read(&record, &self.domain, &self.map, &self.path)?;
-            let SlotContent::Served(info, place) = said else { return Ok(OverlayState::Known) };
+            let SlotContent::Served(info, place) = &*said else { return Ok(OverlayState::Known) };
             if info.generation != generation {
                 return Ok(OverlayState::Other);
             }
