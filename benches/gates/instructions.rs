@@ -27,8 +27,8 @@ const BOUNDS: [(&str, u64); 12] = [
     ("track", 755),
     ("position", 1_650),
     ("contains", 1_155),
-    ("near", 34_200),
-    ("near-few", 6_925),
+    ("near", 31_985),
+    ("near-few", 6_165),
     ("short-length", 1_175),
 ];
 

@@ -152,13 +152,7 @@ impl Client {
             }
         };
         let (current, populate) = (Mutex::new(current), AtomicBool::new(false));
-        Ok(Self {
-            name: map.to_owned(),
-            domain: domain.clone(),
-            source,
-            current,
-            populate,
-        })
+        Ok(Self { name: map.to_owned(), domain: domain.clone(), source, current, populate })
     }
 
     /// How this client is attached.
