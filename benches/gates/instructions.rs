@@ -20,15 +20,15 @@ const RUNS: [usize; 2] = [500, 2_500];
 const BOUNDS: [(&str, u64); 12] = [
     ("nearest", 3_385),
     ("trajectory", 2_985),
-    ("beside", 24_550),
+    ("beside", 24_460),
     ("hinted", 6_930),
     ("inertial", 520),
     ("inertial-trajectory", 515),
     ("track", 755),
     ("position", 1_650),
     ("contains", 1_155),
-    ("near", 31_985),
-    ("near-few", 6_165),
+    ("near", 31_630),
+    ("near-few", 6_140),
     ("short-length", 1_175),
 ];
 
