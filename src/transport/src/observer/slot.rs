@@ -54,7 +54,7 @@ pub struct OverlayLocation {
 
 /// What a slot says.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[expect(clippy::large_enum_variant, reason = "taken apart as soon as it is read")]
+#[expect(clippy::large_enum_variant, reason = "there is one for each record")]
 pub(super) enum SlotContent {
     /// Nothing is served.
     Nothing,
