@@ -106,8 +106,10 @@ pub use unknown::{Unknown, unknown};
 pub use verify::verify;
 pub use write::{AlignedBytes, encode, encode_into, encode_overlay, encode_to, encoded_length};
 
-/// Both parts of [`verify`], for this project's programs, which run them side by side. No part of the public interface.
+/// Writing, and both parts of [`verify`], for this project's programs, which run them side by side. No part of the public
+/// interface.
 #[doc(hidden)]
-pub mod proving {
+pub mod side_by_side {
     pub use crate::verify::{verify_hash, verify_tables};
+    pub use crate::write::{Both, encode_to_with};
 }

@@ -175,30 +175,33 @@ impl Plan {
 /// Bytes that are hashed and written at a time: they are in the processor's cache for both.
 const CHUNK: usize = 256 << 10;
 
-/// A writer that hashes what it passes on.
-struct Streamed<'a, W> {
+/// A writer that hashes what it passes on: `pass` does both with a chunk.
+struct Streamed<'a, W, P> {
     out: &'a mut W,
+    pass: P,
     position: usize,
     hasher: blake3::Hasher,
     /// Why writing failed; rkyv's error in release builds says nothing.
     failed: Option<io::Error>,
 }
 
-impl<W> Fallible for Streamed<'_, W> {
+impl<W, P> Fallible for Streamed<'_, W, P> {
     type Error = Failure;
 }
 
-impl<W> Positional for Streamed<'_, W> {
+impl<W, P> Positional for Streamed<'_, W, P> {
     fn pos(&self) -> usize {
         self.position
     }
 }
 
-impl<W: Write> Writer<Failure> for Streamed<'_, W> {
+impl<W, P> Writer<Failure> for Streamed<'_, W, P>
+where
+    P: FnMut(&mut blake3::Hasher, &mut W, &[u8]) -> io::Result<()>,
+{
     fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         for chunk in bytes.chunks(CHUNK) {
-            self.hasher.update(chunk);
-            self.out.write_all(chunk).map_err(|error| {
+            (self.pass)(&mut self.hasher, self.out, chunk).map_err(|error| {
                 self.failed = Some(error);
                 Failure
             })?;
@@ -217,11 +220,52 @@ pub fn encode_to(
     provenance: &Provenance,
     out: &mut (impl Write + Seek),
 ) -> io::Result<Header> {
+    stream(rows, provenance, out, |hasher, out, chunk| {
+        hasher.update(chunk);
+        out.write_all(chunk)
+    })
+}
+
+/// Two tasks that may be done at once; returns when both are done.
+pub type Both<'a> = &'a dyn Fn(&mut (dyn FnMut() + Send), &mut (dyn FnMut() + Send));
+
+/// As [`encode_to`]; `both` hashes each chunk while it is written, as `rayon::join` does.
+///
+/// Errors: as there.
+pub fn encode_to_with(
+    rows: &Rows,
+    provenance: &Provenance,
+    out: &mut (impl Write + Seek + Send),
+    both: Both<'_>,
+) -> io::Result<Header> {
+    stream(rows, provenance, out, |hasher, out, chunk| {
+        let mut written = Ok(());
+        let mut hash = || {
+            hasher.update(chunk);
+        };
+        let mut write = || written = out.write_all(chunk);
+        // Not worth another thread.
+        if chunk.len() < CHUNK {
+            hash();
+            write();
+        } else {
+            both(&mut hash, &mut write);
+        }
+        written
+    })
+}
+
+fn stream<W: Write + Seek>(
+    rows: &Rows,
+    provenance: &Provenance,
+    out: &mut W,
+    pass: impl FnMut(&mut blake3::Hasher, &mut W, &[u8]) -> io::Result<()>,
+) -> io::Result<Header> {
     let content = Content::of_map(rows);
     let plan = Plan::of(&content).map_err(|error| io::Error::other(error.to_string()))?;
     out.seek(SeekFrom::Start(HEADER_LENGTH as u64))?;
     let (hasher, position) = (blake3::Hasher::new(), HEADER_LENGTH);
-    let mut stream = Streamed { out, position, hasher, failed: None };
+    let mut stream = Streamed { out, pass, position, hasher, failed: None };
     let done = plan.write(&content, &mut stream);
     if let Some(error) = stream.failed {
         return Err(error);
@@ -274,6 +318,13 @@ mod tests {
         }
     }
 
+    fn at_once(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
+        std::thread::scope(|scope| {
+            scope.spawn(a);
+            b();
+        });
+    }
+
     fn rows() -> Rows {
         let mut rows = Rows::default();
         rows.string_bytes.extend_from_slice(b"odd");
@@ -287,10 +338,15 @@ mod tests {
         for rows in [Rows::default(), rows()] {
             let provenance = Provenance::default();
             let memory = encode(&rows, &provenance).expect("encodes");
+            let expected = Header::decode(&memory[..HEADER_LENGTH]).expect("a header");
             let mut stream = Cursor::new(Vec::new());
             let header = encode_to(&rows, &provenance, &mut stream).expect("encodes");
             assert!(stream.into_inner() == memory[..]);
-            assert_eq!(header, Header::decode(&memory[..HEADER_LENGTH]).expect("a header"));
+            assert_eq!(header, expected);
+            let mut stream = Cursor::new(Vec::new());
+            let header = encode_to_with(&rows, &provenance, &mut stream, &at_once);
+            assert!(stream.into_inner() == memory[..]);
+            assert_eq!(header.expect("encodes"), expected);
         }
     }
 
@@ -300,6 +356,10 @@ mod tests {
         for room in [0, HEADER_LENGTH, length / 2, length - 1] {
             let mut stream = Short(Cursor::new(Vec::new()), room);
             let error = encode_to(&rows(), &Provenance::default(), &mut stream).err();
+            assert_eq!(error.map(|e| e.kind()), Some(io::ErrorKind::StorageFull), "{room}");
+            let mut stream = Short(Cursor::new(Vec::new()), room);
+            let error =
+                encode_to_with(&rows(), &Provenance::default(), &mut stream, &at_once).err();
             assert_eq!(error.map(|e| e.kind()), Some(io::ErrorKind::StorageFull), "{room}");
         }
         let mut stream = Short(Cursor::new(Vec::new()), length);

@@ -2,8 +2,8 @@
 
 use crate::draft::Draft;
 use anyhow::{Context, Result};
-use mapd_archive::proving::{verify_hash, verify_tables};
-use mapd_archive::{Header, Provenance, Rows, encode_to, encoded_length};
+use mapd_archive::side_by_side::{encode_to_with, verify_hash, verify_tables};
+use mapd_archive::{Header, Provenance, Rows, encoded_length};
 use mapd_client::Snapshot;
 use rustix::fs::FallocateFlags;
 use std::borrow::Borrow;
@@ -50,8 +50,10 @@ pub(crate) fn prepare(
     let header = fill(draft.file(), rows.borrow(), provenance).with_context(context)?;
     // If they are this function's, they go before the archive is mapped: it is as large as they are.
     drop(rows);
-    prove(draft.path()).with_context(context)?;
-    draft.file().sync_data().with_context(context)?;
+    // The disk takes its time; the file has no name yet that anybody would open.
+    let (proven, synced) = rayon::join(|| prove(draft.path()), || draft.file().sync_data());
+    proven.with_context(context)?;
+    synced.with_context(context)?;
     Ok(UnnamedArchive { draft, header })
 }
 
@@ -88,5 +90,11 @@ fn fill(file: &File, rows: &Rows, provenance: &Provenance) -> Result<Header> {
         Err(rustix::io::Errno::OPNOTSUPP) | Ok(()) => {}
         Err(error) => return Err(error.into()),
     }
-    Ok(encode_to(rows, provenance, &mut &*file)?)
+    // All of it in the pool: who is outside waits for each join.
+    let written = rayon::scope(|_| {
+        encode_to_with(rows, provenance, &mut &*file, &|hash, write| {
+            rayon::join(hash, write);
+        })
+    });
+    Ok(written?)
 }
