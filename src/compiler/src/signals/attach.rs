@@ -8,6 +8,7 @@ use mapd_geometry::clamp;
 use mapd_query::{Lane, Map, Road};
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
+use rayon::prelude::*;
 
 /// The lanes that a signal's place is for.
 struct SignalLanes {
@@ -39,7 +40,7 @@ pub(super) fn attach(rows: &mut Rows, resolved: &Resolved, reach: f64) -> Vec<Fi
         let map = Map::new(&archive, 0);
         let roads: Vec<Road<'_>> = map.roads().collect();
         let lanes = |place: &PlaceWritten| lanes_of(roads.get(place.road as usize)?, place, reach);
-        resolved.places.iter().map(lanes).collect()
+        resolved.places.par_iter().map(lanes).collect()
     };
     let mut has_lanes = vec![false; rows.signals.len()];
     for (place, _) in resolved.places.iter().zip(&found).filter(|(_, found)| found.is_some()) {

@@ -10,6 +10,7 @@ use crate::options::CompileOptions;
 use crate::resolve::Resolved;
 use mapd_archive::Rows;
 use mapd_xodr::Finding;
+use right_of_way::RightOfWay;
 
 /// Fills positions, lanes and right of way of a map whose lane graph is complete. What belongs to no lane, and a zone without
 /// an end, is a finding.
@@ -21,7 +22,12 @@ pub(crate) fn complete(
     objects::resolve(rows);
     place::place(rows, resolved);
     let mut findings = attach::attach(rows, resolved, options.lane_reach);
-    right_of_way::build(rows);
-    findings.extend(speed_signs::build(rows, resolved));
+    // Neither needs what the other finds.
+    let seen = &*rows;
+    let (right_of_way, (speed_signs, endless)) =
+        rayon::join(|| RightOfWay::find(seen), || speed_signs::find(seen, resolved));
+    right_of_way.store(rows);
+    rows.speed_signs_at_entry = speed_signs.into();
+    findings.extend(endless);
     findings
 }

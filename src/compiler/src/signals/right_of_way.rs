@@ -55,30 +55,40 @@ impl Priorities {
     }
 }
 
-/// Says of `conflicts` who goes first.
-pub(super) fn build(rows: &mut Rows) {
-    let found: Vec<Option<(Relation, RelationReason)>> = {
+/// Who goes first by each row of `conflicts`; none where no rule tells.
+pub(super) struct RightOfWay(Vec<Option<(Relation, RelationReason)>>);
+
+impl RightOfWay {
+    /// Looks at a map whose signals are placed.
+    pub(super) fn find(rows: &Rows) -> Self {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
+        // They come by lane.
         let mut numbers: Vec<u32> = rows.conflicts.iter().map(|row| row.lane).collect();
         numbers.dedup();
-        let read = |number: &u32| Some((*number, movement(&map.lane_by_row(*number)?)));
-        let movements: HashMap<u32, Movement> = numbers.par_iter().filter_map(read).collect();
+        let read = |number: &u32| Some(movement(&map.lane_by_row(*number)?));
+        let movements: Vec<Option<Movement>> = numbers.par_iter().map(read).collect();
+        let of_lane =
+            |lane: u32| movements.get(numbers.binary_search(&lane).ok()?).and_then(Option::as_ref);
         let priorities = Priorities::new(&rows.junction_priorities);
         let of = |row: &ConflictRow| {
             // Where roads cross on another level of meaning (crossings of 1.8), no rule of junctions applies.
             if row.kind == ConflictKind::Crossing.code() {
                 return None;
             }
-            let (own, other) = (movements.get(&row.lane)?, movements.get(&row.other)?);
+            let (own, other) = (of_lane(row.lane)?, of_lane(row.other)?);
             let one_entry = own.entry.is_some() && own.entry == other.entry;
             (!one_entry).then(|| relation(own, other, &priorities))
         };
-        rows.conflicts.iter().map(of).collect()
-    };
-    for (row, found) in rows.conflicts.iter_mut().zip(found) {
-        if let Some((relation, reason)) = found {
-            (row.relation, row.reason) = (relation.code(), reason.code());
+        Self(rows.conflicts.par_iter().map(of).collect())
+    }
+
+    /// Says so in the rows.
+    pub(super) fn store(self, rows: &mut Rows) {
+        for (row, found) in rows.conflicts.iter_mut().zip(self.0) {
+            if let Some((relation, reason)) = found {
+                (row.relation, row.reason) = (relation.code(), reason.code());
+            }
         }
     }
 }

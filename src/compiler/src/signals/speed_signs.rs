@@ -51,21 +51,17 @@ impl State {
     }
 }
 
-/// Fills `speed_signs_at_entry`. A zone that leads on, without a sign that ends it, to where traffic comes in that is not in it, is a finding.
-pub(super) fn build(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
-    let (found, endless) = {
-        let archive = view(rows);
-        let map = Map::new(&archive, 0);
-        let (mut found, endless) = solve(map, rows.lanes.len());
-        if found.is_empty() && !rows.signal_lanes.is_empty() {
-            found.push(row(0, &State::NONE));
-        }
-        let key = |lane: u32| map.lane_by_row(lane).map(|lane| lane.key().to_string());
-        let named = endless.into_iter().filter_map(|(sign, lane)| Some((sign, key(lane)?)));
-        (found, named.collect::<Vec<_>>())
-    };
-    rows.speed_signs_at_entry = found.into();
+/// Rows of `speed_signs_at_entry`, and what is wrong: a zone that leads on, without a sign that ends it, to where traffic comes
+/// in that is not in it.
+pub(super) fn find(rows: &Rows, resolved: &Resolved) -> (Vec<SpeedSignsAtEntryRow>, Vec<Finding>) {
+    let archive = view(rows);
+    let map = Map::new(&archive, 0);
+    let (mut found, endless) = solve(map, rows.lanes.len());
+    if found.is_empty() && !rows.signal_lanes.is_empty() {
+        found.push(row(0, &State::NONE));
+    }
     let told = endless.into_iter().filter_map(|(sign, lane)| {
+        let lane = map.lane_by_row(lane)?.key().to_string();
         let place = resolved.places.iter().find(|place| place.signal == sign)?;
         Some(finding(
             &building::ZONE_END,
@@ -78,7 +74,8 @@ pub(super) fn build(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
             "end the zone with a sign on each way out of it",
         ))
     });
-    told.collect()
+    let told = told.collect();
+    (found, told)
 }
 
 fn row(lane: u32, state: &State) -> SpeedSignsAtEntryRow {
