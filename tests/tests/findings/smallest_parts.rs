@@ -3,7 +3,7 @@
 
 use mapd_archive::{AlignedBytes, Provenance, encode, verify};
 use mapd_compiler::Verdict::{self, Accepted, Quarantined};
-use mapd_compiler::{Compilation, CompileOptions, ReadOptions, compile_from};
+use mapd_compiler::{Compilation, CompileOptions, OnError, Policy, ReadOptions, compile_from};
 use mapd_rules::{Grade, Settings};
 use mapd_tests::graph_maps::{self as graph, Line};
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, document};
@@ -97,6 +97,27 @@ fn a_lanes_own_link_to_nothing_takes_nothing_out() {
         compile(&graph::document(&graph::road("1", "junction=\"-1\"", line, "", &sections)));
     check("a link to a lane that is not there", &compiled, Accepted, &[]);
     assert_eq!(told(&compiled, "mapd:graph.missing_lane"), ["Warning"]);
+}
+
+/// The lane graph is begun beside the rules on the network. What it finds in a map that they reject may follow from what is wrong.
+#[test]
+fn the_lane_graph_of_a_map_that_rules_reject_says_nothing() {
+    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+    let sections = graph::section(0.0, "", &graph::lane(-1, "s-5"))
+        + &graph::section(50.0, "", &graph::lane(-1, ""));
+    let road = graph::road("1", "junction=\"-1\"", line, "", &sections);
+    let policy = Policy { on_error: OnError::Reject, ..Policy::default() };
+    let reading = ReadOptions { policy, ..ReadOptions::default() };
+    for (roads, verdict, named) in
+        [(road.clone(), Accepted, vec!["Warning"]), (road.repeat(2), Verdict::Rejected, vec![])]
+    {
+        let text = graph::document(&roads);
+        let options = CompileOptions::default();
+        let open = || Ok(text.as_bytes());
+        let compiled = compile_from(open, &reading, &options, &mut |_| {}).expect("reading works");
+        check("roads of one id", &compiled, verdict, &[]);
+        assert_eq!(told(&compiled, "mapd:graph.missing_lane"), named);
+    }
 }
 
 /// A road of 100 m with these elements in the road, in lane 0 and in lane −1.

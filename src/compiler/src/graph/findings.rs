@@ -31,6 +31,11 @@ impl Problems {
         self.0.push(problem);
     }
 
+    /// Adds those that were found behind these.
+    pub(crate) fn append(&mut self, mut others: Self) {
+        self.0.append(&mut others.0);
+    }
+
     /// Findings in file order; of each kind the first ones by name, the rest as a number.
     pub(crate) fn report(
         mut self,

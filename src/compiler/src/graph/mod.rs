@@ -23,9 +23,10 @@ mod virtual_connections;
 mod walk;
 mod zones;
 
+pub(crate) use cuts::Cuts;
 pub(crate) use rings::rings;
 
-use crate::draft::{Draft, Links};
+use crate::draft::{Draft, Links, Permissions};
 use crate::findings::TooLarge;
 use crate::options::{CompileOptions, MOST_LANDMARKS};
 use mapd_archive::Rows;
@@ -48,19 +49,27 @@ pub(crate) struct Source<'a> {
     pub(crate) links: &'a Links<'a>,
 }
 
-/// Fills nodes and edges. What is wrong with a link is a finding, and the link is left out.
-pub(crate) fn build(
+/// Fills nodes: where sections are cut into pieces is told for [`edges`].
+pub(crate) fn nodes(draft: &mut Draft, links: &Links<'_>) -> Result<Cuts, TooLarge> {
+    let cuts = Cuts::new(Source { draft, links });
+    nodes::build(draft, &cuts)?;
+    // Nodes have what they say.
+    draft.permissions = Permissions::default();
+    Ok(cuts)
+}
+
+/// Fills edges. What is wrong with a link is a finding, and the link is left out.
+pub(crate) fn edges(
     draft: &mut Draft,
     links: &Links<'_>,
+    cuts: &Cuts,
     places: &Places,
     settings: &Settings,
     findings: &mut Vec<Finding>,
 ) -> Result<WrittenLinks, TooLarge> {
-    let cuts = cuts::Cuts::new(Source { draft, links });
-    nodes::build(draft, &cuts)?;
     let mut problems = findings::Problems::default();
     let source = Source { draft, links };
-    let attachments = attach::Attachments::new(source, &cuts, &mut problems);
+    let attachments = attach::Attachments::new(source, cuts, &mut problems);
     let edges = walk::edges(source, &attachments, &mut problems);
     let zones = zones::zones(source);
     problems.report(draft, settings, findings);

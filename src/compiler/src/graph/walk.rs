@@ -15,6 +15,10 @@ use mapd_archive::{
 };
 use mapd_rules::network::Contact;
 use mapd_xodr::Span;
+use rayon::prelude::*;
+
+/// Nodes that one task leaves.
+const NODES_PER_TASK: usize = 1024;
 
 /// An edge with the place in the file that says so.
 #[derive(Clone, Copy)]
@@ -40,12 +44,21 @@ pub(crate) fn edges(
 ) -> Vec<Edge> {
     let Source { draft, links } = source;
     let incoming = Incoming::new(draft);
-    let mut walk =
-        Walk { draft, links, incoming: &incoming, attachments, edges: Vec::new(), problems };
-    for node in 0..draft.rows.lane_nodes.len() {
-        walk.leave(node as u32);
+    let nodes: Vec<u32> = (0..draft.rows.lane_nodes.len() as u32).collect();
+    let walked = nodes.par_chunks(NODES_PER_TASK).map(|nodes| {
+        let mut problems = Problems::default();
+        let (incoming, edges) = (&incoming, Vec::with_capacity(nodes.len()));
+        let mut walk = Walk { draft, links, incoming, attachments, edges, problems: &mut problems };
+        nodes.iter().for_each(|node| walk.leave(*node));
+        (walk.edges, problems)
+    });
+    let walked: Vec<_> = walked.collect();
+    let mut edges = Vec::with_capacity(walked.iter().map(|(edges, _)| edges.len()).sum());
+    for (of_task, own) in walked {
+        edges.extend(of_task);
+        problems.append(own);
     }
-    walk.edges
+    edges
 }
 
 struct Walk<'a> {

@@ -281,13 +281,17 @@ fn read(
     let whole = checker.whole();
     let lacks_ids = whole.lacks_ids();
     let links = Links::new(&draft.road_spans, whole.network());
-    let (examined, signals) = rayon::join(
+    // Nodes are made beside the rules. Where those reject the map, it is as if there were none.
+    let is_sound = !collector.is_rejected();
+    let (examined, (signals, cuts)) = rayon::join(
         || part::examine(&whole),
         || {
             draft.finish_reading(&mut late);
             resolve::links(&mut draft, &links, &mut late);
             resolve::groups(&mut draft);
-            resolve::signals(&mut draft, &links, &places, &mut late)
+            let signals = resolve::signals(&mut draft, &links, &places, &mut late);
+            resolve::annotations(&mut draft, &places, reading.include_folder.as_deref());
+            (signals, is_sound.then(|| graph::nodes(&mut draft, &links)))
         },
     );
     if whole.has_more_overlaps() {
@@ -300,10 +304,11 @@ fn read(
     }
     collector.add(late, &places);
     let mut graph = graph::WrittenLinks::default();
-    if !collector.is_rejected() {
+    if let Some(cuts) = cuts.filter(|_| !collector.is_rejected()) {
         let mut late = Vec::new();
         let links = Links::new(&draft.road_spans, &network);
-        graph = graph::build(&mut draft, &links, &places, &collector.settings, &mut late)
+        let (cuts, settings) = (cuts.map_err(io::Error::other)?, &collector.settings);
+        graph = graph::edges(&mut draft, &links, &cuts, &places, settings, &mut late)
             .map_err(io::Error::other)?;
         collector.add_late(late, &places);
     }
@@ -318,7 +323,6 @@ fn read(
     };
     let provenance =
         Provenance { input_hash, options_hash: [0; 8], compiler_version: compiler_version() };
-    resolve::annotations(&mut draft, &places, reading.include_folder.as_deref());
     resolve::quarantined(&mut draft, &quarantined);
     Ok(Document { draft, graph, signals, collector, places, provenance, version, quarantined })
 }
