@@ -245,7 +245,8 @@ class Comparison:
                 self.count("nearest alike")
             else:
                 why = reason(one, *where)
-                self.count(f"nearest differs: {why}", None if why else (one.source.name, n, mine, theirs))
+                what = f"nearest differs: {why}" if why else "nearest differs"
+                self.count(what, None if why else (one.source.name, n, mine, theirs))
 
     def rank(self, given, mine, theirs):
         """Counts pairs of lanes that both know and whose distances are far from each other, by whether both put them in one order. Distances that agree

@@ -51,7 +51,7 @@ fn among(records: &[ArchivedCubicRow], at: At) -> Option<&ArchivedCubicRow> {
 }
 
 /// A record apart from the archive; 0 everywhere where none holds.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Record {
     s: f64,
     cubic: Cubic,

@@ -11,7 +11,7 @@ const SHAPES: usize = 128;
 /// Most coefficients of a shape that is remembered: a thread holds no more than 256 KiB of them.
 const COEFFICIENTS: usize = 256;
 
-/// All that a parametric cubic is compiled from, by its bits: what is equal to the last one compiles to the same.
+/// All that a parametric cubic is compiled from, by its bits: what is equal to the last bit compiles to the same.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 struct Written {
     numbers: [u64; 8],
@@ -109,9 +109,15 @@ mod tests {
         };
         let shapes = shapes();
         // Each twice at once, and all again when others have replaced them.
+        let mut remembered = 0;
         for (primitive, length) in shapes.iter().flat_map(|shape| [shape; 2]).chain(&shapes) {
             let expected = bits(compile(primitive, *length));
             assert_eq!(bits(compiled(primitive, *length)), expected, "{primitive:?}");
+            let Some(written) = Written::new(primitive, *length) else { continue };
+            let found = REMEMBERED.with_borrow(|all| all.get(written.place()).cloned().flatten());
+            remembered += usize::from(found.is_some_and(|(known, _)| known == written));
         }
+        // All but those that cannot be compiled or take too much room.
+        assert!(remembered > 2 * shapes.len(), "{remembered} of {}", 3 * shapes.len());
     }
 }

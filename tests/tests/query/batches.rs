@@ -7,7 +7,7 @@ use mapd_client::glam::{DMat3, DVec2, DVec3};
 use mapd_client::localisation::{
     GroundScratch, MarkFilter, MatchError, MatchOptions, VehicleOutline, VehiclePose,
 };
-use mapd_client::{LaneTypes, Map, NearestOptions, Point, Pose, QueryError, Road, Track};
+use mapd_client::{Clamped, LaneTypes, Map, NearestOptions, Point, Pose, QueryError, Road, Track};
 use mapd_tests::carried;
 use mapd_tests::maps::{self, Random};
 
@@ -133,19 +133,52 @@ fn check_road(road: &Road<'_>, points: &[DVec2]) {
     let h: Vec<f64> = (0..s.len()).map(|i| 0.1 * (i % 4) as f64).collect();
     let mut out = Poses::default();
     for h in [None, Some(h.as_slice())] {
-        road.to_inertial_batch(Tracks { s: &s, t: &feet.t, h }, &mut out).expect("places");
-        assert_eq!((out.x.len(), out.clamped.len()), (s.len(), s.len()));
-        for (i, (s, t)) in s.iter().zip(&feet.t).enumerate() {
-            let track = Track { s: *s, t: *t, h: h.map_or(0.0, |h| h[i]) };
-            let pose = road.to_inertial(track).expect("a place");
-            let Pose { position: p, heading, curvature, slope, superelevation, clamped } = pose;
-            let expected = [p.x, p.y, p.z, heading, curvature, slope, superelevation];
-            let Poses { x, y, z, heading, curvature, slope, superelevation, .. } = &out;
-            let found = [x, y, z, heading, curvature, slope, superelevation];
-            assert_eq!(found.map(|column| column[i].to_bits()), expected.map(f64::to_bits));
-            assert_eq!(out.clamped[i], clamped);
-        }
+        check_poses(road, Tracks { s: &s, t: &feet.t, h }, &mut out);
     }
+}
+
+/// Poses of places of a road against single calls, bit by bit.
+fn check_poses(road: &Road<'_>, tracks: Tracks<'_>, out: &mut Poses) {
+    let Tracks { s, t, h } = tracks;
+    road.to_inertial_batch(tracks, out).expect("places");
+    assert_eq!((out.x.len(), out.clamped.len()), (s.len(), s.len()));
+    for (i, (s, t)) in s.iter().zip(t).enumerate() {
+        let track = Track { s: *s, t: *t, h: h.map_or(0.0, |h| h[i]) };
+        let pose = road.to_inertial(track).expect("a place");
+        let Pose { position: p, heading, curvature, slope, superelevation, clamped } = pose;
+        let expected = [p.x, p.y, p.z, heading, curvature, slope, superelevation];
+        let Poses { x, y, z, heading, curvature, slope, superelevation, .. } = &*out;
+        let found = [x, y, z, heading, curvature, slope, superelevation];
+        assert_eq!(found.map(|column| column[i].to_bits()), expected.map(f64::to_bits));
+        assert_eq!(out.clamped[i], clamped);
+    }
+}
+
+/// A road whose heights begin behind its start, change twice at one s, and whose second geometry is an arc.
+const UNEVEN: &str = r#"<?xml version="1.0"?><OpenDRIVE><header revMajor="1" revMinor="8"/>
+<road id="1" length="100" junction="-1"><planView>
+<geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry>
+<geometry s="50" x="50" y="0" hdg="0" length="50"><arc curvature="0.01"/></geometry></planView>
+<elevationProfile><elevation s="10" a="1" b="0.1" c="0" d="0"/><elevation s="40" a="4" b="0" c="0" d="0"/>
+<elevation s="40" a="4" b="-0.02" c="0.001" d="0"/></elevationProfile>
+<lateralProfile><superelevation s="20" a="0" b="0.002" c="0" d="0"/></lateralProfile>
+<lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving">
+<width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road></OpenDRIVE>"#;
+
+#[test]
+fn places_of_an_uneven_road_are_those_of_single_calls() {
+    let snapshot = maps::open_text(UNEVEN);
+    let road = snapshot.map().roads().next().expect("a road");
+    // Every quarter of a metre, from before the start to behind the end, and back.
+    let ahead = (-8..=408).map(|i| 0.25 * f64::from(i));
+    let s: Vec<f64> =
+        ahead.clone().chain(ahead.rev()).chain([-0.0, 40.0_f64.next_down()]).collect();
+    let t: Vec<f64> = s.iter().map(|s| 0.1 * s - 3.0).collect();
+    let mut out = Poses::default();
+    check_poses(&road, Tracks { s: &s, t: &t, h: Some(&t) }, &mut out);
+    let kinds = [Clamped::No, Clamped::Before, Clamped::After];
+    assert!(kinds.iter().all(|kind| out.clamped.contains(kind)));
+    assert!(out.slope.iter().any(|slope| *slope == 0.0) && out.superelevation.contains(&0.16));
 }
 
 #[test]

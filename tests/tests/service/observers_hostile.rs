@@ -20,6 +20,7 @@ const SLOT: usize = 55 * 8;
 /// Where the parts of a record lie.
 const HEARTBEAT: Range<usize> = 16..24;
 const SLOTS: usize = 24;
+const SEQUENCE: Range<usize> = 12..16;
 
 /// A served map, its record, and its segment.
 struct Served {
@@ -92,6 +93,7 @@ fn a_record_may_hold_anything() {
     let file = File::options().read(true).write(true).open(&served.record).expect("opens");
     let mut whole = [0; PAGE];
     file.read_exact_at(&mut whole, 0).expect("a page");
+    let held = u32::from_le_bytes(whole[SEQUENCE].try_into().expect("four bytes"));
     let mut state = 1_u64;
     let mut noise = |page: &mut [u8]| {
         for byte in page {
@@ -99,19 +101,24 @@ fn a_record_may_hold_anything() {
             *byte = (state >> 56) as u8;
         }
     };
-    for round in 0..500 {
+    for round in 0..500_u32 {
         let mut page = whole;
         match round {
             0 => page.fill(0),
             1 => page.fill(0xff),
-            _ if round % 2 == 0 => noise(&mut page),
-            // Behind a header that is right.
-            _ => noise(&mut page[SLOTS..]),
+            _ if round % 3 == 0 => noise(&mut page),
+            // Behind a header that is right, under another sequence or the same.
+            _ => {
+                noise(&mut page[SLOTS..]);
+                let sequence = held + if round % 3 == 1 { round } else { 0 };
+                page[SEQUENCE].copy_from_slice(&sequence.to_le_bytes());
+            }
         }
         file.write_all_at(&page, 0).expect("written");
         assert!(!served.is_had("noise"), "round {round}");
-        // Says nothing, or why not.
-        let _ = client.refresh();
+        // Under the sequence of what it holds, a slot is not looked at again.
+        let is_known = round > 1 && round % 3 == 2;
+        assert_eq!(client.refresh().is_ok(), is_known, "round {round}");
         assert_eq!(client.snapshot().generation(), served.generation);
     }
     file.write_all_at(&whole, 0).expect("written");

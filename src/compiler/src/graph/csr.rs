@@ -6,7 +6,6 @@ use crate::findings::TooLarge;
 use mapd_archive::{EdgeRow, NONE, Rows};
 use mapd_xodr::Span;
 use mapd_xodr::source::Places;
-use rayon::prelude::*;
 
 /// Stores edges, which come by the node that is left; gives each edge's place in the file. Those of one node are ordered by road id, section and lane of the
 /// node that is entered, so that the order of elements in the file does not show.
@@ -30,7 +29,7 @@ pub(crate) fn store(
     rows.successor_offsets = offsets(nodes, edges.iter().map(|edge| edge.from)).into();
     rows.successors = edges.iter().map(|edge| edge.to).collect::<Vec<_>>().into();
     let (told, backward) = rayon::join(
-        || edges.par_iter().map(|edge| row(edge, places)).collect::<Vec<_>>(),
+        || edges.iter().map(|edge| row(edge, places)).collect::<Vec<_>>(),
         || {
             let mut backward: Vec<_> = edges.iter().map(|edge| (edge.to, edge.from)).collect();
             backward.sort_unstable_by_key(|(to, from)| (*to, key(*from)));

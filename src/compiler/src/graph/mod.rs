@@ -53,7 +53,7 @@ pub(crate) struct Source<'a> {
 pub(crate) fn nodes(draft: &mut Draft, links: &Links<'_>) -> Result<Cuts, TooLarge> {
     let cuts = Cuts::new(Source { draft, links });
     nodes::build(draft, &cuts)?;
-    // Nodes have what they say.
+    // Nodes now have what the permissions said.
     draft.permissions = Permissions::default();
     Ok(cuts)
 }

@@ -12,9 +12,9 @@ use mapd_archive::{
 pub(crate) fn build(draft: &mut Draft, cuts: &Cuts) -> Result<(), TooLarge> {
     for lane in 0..draft.rows.lanes.len() {
         add(draft, cuts, lane)?;
-    }
-    if draft.rows.lane_nodes.len() >= NONE as usize {
-        return Err(TooLarge::new("lane_nodes"));
+        if draft.rows.lane_nodes.len() >= NONE as usize {
+            return Err(TooLarge::new("lane_nodes"));
+        }
     }
     for node in 0..draft.rows.lane_nodes.len() {
         join(draft, node as u32)?;

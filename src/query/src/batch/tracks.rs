@@ -59,7 +59,7 @@ impl Poses {
         self.clamped.resize(count, Clamped::No);
     }
 
-    /// Sets what there is of a number.
+    /// Sets the pose of this number.
     #[inline]
     fn set(&mut self, i: usize, pose: &Pose) {
         let Pose { position: p, heading, curvature, slope, superelevation, clamped } = *pose;

@@ -38,7 +38,7 @@ pub(super) const READINGS: usize = 64;
 /// A heartbeat of this age makes a reader look whether the record is still the one under its name. Daemons beat about once a second.
 const SILENCE: Duration = Duration::from_secs(3);
 
-/// Follows one map without writing anything anywhere. `Send` and `Sync`; its methods take a lock for nanoseconds, queries on a
+/// Follows one map without writing anything anywhere. `Send` and `Sync`; its methods take a lock for as long as a slot takes to read, about a microsecond, queries on a
 /// [`Pinned`] take none. It survives the daemon: what is held stays readable, and generations of a restarted daemon arrive here.
 pub struct Observer {
     pub(super) map: String,
