@@ -178,7 +178,7 @@ fn places_of_an_uneven_road_are_those_of_single_calls() {
     check_poses(&road, Tracks { s: &s, t: &t, h: Some(&t) }, &mut out);
     let kinds = [Clamped::No, Clamped::Before, Clamped::After];
     assert!(kinds.iter().all(|kind| out.clamped.contains(kind)));
-    assert!(out.slope.iter().any(|slope| *slope == 0.0) && out.superelevation.contains(&0.16));
+    assert!(out.slope.contains(&0.0) && out.superelevation.contains(&0.16));
 }
 
 #[test]
