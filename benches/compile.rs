@@ -16,7 +16,7 @@ struct Stage {
     computed: Duration,
     /// By the thread that began it.
     alone: Duration,
-    /// What all cores together did not compute in its time.
+    /// For how long cores computed nothing in its time, all together.
     waited: Duration,
 }
 
@@ -74,8 +74,8 @@ fn best_stages(runs: usize, path: &Path, archive: &Path) -> String {
     texts.collect::<Vec<_>>().join(", ")
 }
 
-fn share(of: Duration, one: Duration) -> f64 {
-    of.as_secs_f64() / one.as_secs_f64()
+fn ratio(a: Duration, b: Duration) -> f64 {
+    a.as_secs_f64() / b.as_secs_f64()
 }
 
 fn median(values: impl Iterator<Item = f64>) -> f64 {
@@ -117,8 +117,8 @@ fn main() {
             let rate = bytes as f64 / whole.as_secs_f64() / 1e6;
             print(&format!(
                 "compile {name}{what}: {bytes} B to a verified archive of {size} B in {whole:.1?} ({rate:.0} MB/s), computed {computed:.1?}; bare quick-xml loop {bare:.1?}; ratio {:.2}, computed {:.2} (medians of {runs} pairs)",
-                median(pairs.iter().map(|[bare, whole]| share(whole.0, bare.0))),
-                median(pairs.iter().map(|[bare, whole]| share(whole.1, bare.1))),
+                median(pairs.iter().map(|[bare, whole]| ratio(whole.0, bare.0))),
+                median(pairs.iter().map(|[bare, whole]| ratio(whole.1, bare.1))),
             ));
         }
         // A peer that builds its own representation, which nobody else can share, and checks nothing.
