@@ -223,7 +223,8 @@ impl<'a> Curve<'a> {
         })
     }
 
-    /// As [`beside`](Self::beside), where a line or an arc tells it in closed form. None of a point elsewhere, of another curve, and where rounding decides.
+    /// As [`beside`](Self::beside), where a line or an arc tells it in closed form: u of the foot of (`x`, `y`) `[m]` over u ∈ [`lo`, `hi`], and the offset along the
+    /// left normal there `[m]`. None of a point elsewhere, of another curve, and where rounding decides.
     #[must_use]
     #[inline]
     pub fn closed_foot(&self, x: f64, y: f64, lo: f64, hi: f64) -> Option<[f64; 2]> {

@@ -427,9 +427,8 @@ mod tests {
         assert_eq!(published(&folder.0, "m"), None, "its segment is one of another domain");
     }
 
-    /// What a record says is worked out once for each sequence.
     #[test]
-    fn a_record_that_has_not_changed_is_not_read_again() {
+    fn what_a_record_says_is_worked_out_once_for_each_sequence() {
         let folder = Folder::new("recordonce");
         let writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
         let path = folder.0.map_file("m", RECORD_SUFFIX);
