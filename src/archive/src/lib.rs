@@ -47,6 +47,7 @@ mod overlay;
 mod overlay_codes;
 pub mod packed_index;
 mod points;
+mod prefetch;
 mod road_rules;
 mod signal_codes;
 mod strings;
@@ -95,6 +96,7 @@ pub use open::{Archive, open, string};
 pub use overlay::{Overlay, open_overlay, overlay_changes_ways, overlay_string, verify_overlay};
 pub use overlay_codes::OverlayKind;
 pub use points::{PackedPoint, PointCode, PointReader};
+pub use prefetch::prefetch;
 pub use road_rules::{FromSide, RoadRules};
 pub use signal_codes::{
     LaneMethod, NO_RELATION, Orientation, Relation, RelationReason, SignalPosition, signal_flags,

@@ -1,7 +1,7 @@
 //! Where a place falls among rows that ascend.
 
 /// Rows that are looked at side by side.
-const TOGETHER: usize = 8;
+pub(crate) const TOGETHER: usize = 8;
 
 /// Number of rows that begin at or before a place, of rows whose starts ascend.
 ///

@@ -1,14 +1,17 @@
-//! What deciding several candidates will read, read ahead of it.
+//! What deciding several candidates will read, brought into the processor's caches ahead of it.
 //!
 //! A lane's row names its section, that its road, that its records: in a map that no cache holds each step waits for memory.
 //! What is known without the step before, and what several candidates need, is waited for side by side.
 
-use crate::held::HeldBy;
+use crate::begun::TOGETHER;
+use crate::index::LaneSegment;
 use mapd_archive::packed_index::LANES_PER_BLOCK;
-use mapd_archive::{ArchivedCubicRow, ArchivedGeometryRow, Range, Tables};
-use std::hint::black_box;
+use mapd_archive::{Range, Tables, prefetch};
 
-/// Reads ahead the rows of a lane that may hold a point, its section and its road; what the map does not have counts for nothing.
+/// Points of a lane's centre line that are its section's ends: nothing else is read of them.
+const ENDS: u16 = 2;
+
+/// Brings the rows of a lane that may hold a point, its section and its road; what the map does not have counts for nothing.
 ///
 /// The block of the lane tells the latter two without its row, so that all three are waited for side by side. An archive of an earlier
 /// release has no blocks: its rows are waited for one after the other.
@@ -19,34 +22,36 @@ pub(crate) fn rows(tables: &Tables<'_>, lane: u32) {
     let after = |starts: u64| (starts & up_to).count_ones();
     let section = block.section().wrapping_add(after(block.section_starts()));
     let road = block.road().wrapping_add(after(block.road_starts()));
-    // The first and the last that is read of each row: they lie across the ends of cache lines.
-    black_box((
-        tables.lanes.get(lane as usize).map(|row| (row.section(), row.flags())),
-        tables.sections.get(section as usize).map(|row| (row.s_start(), row.z_step())),
-        tables.roads.get(road as usize).map(|row| (row.length(), row.lane_offsets().count)),
-    ));
+    tables.lanes.get(lane as usize).into_iter().for_each(prefetch);
+    tables.sections.get(section as usize).into_iter().for_each(prefetch);
+    tables.roads.get(road as usize).into_iter().for_each(prefetch);
 }
 
-/// Reads ahead what the rows of several candidates name. How much that is, is known only when the rows have come: call `rows` of all candidates
+/// Brings what the rows of a stretch's lane name. How much that is, is known only when the rows have come: call `rows` for all candidates
 /// first.
-#[inline]
-pub(crate) fn records(tables: &Tables<'_>, candidates: &[HeldBy]) {
-    // Where a search among rows begins; `begun` waits for the others of few rows side by side.
-    let middle = |range: Range| range.first.wrapping_add(range.count / 2) as usize;
-    for HeldBy { stretch: place, .. } in candidates {
-        let Some(lane) = tables.lanes.get(place.lane as usize) else { continue };
-        let Some(section) = tables.sections.get(lane.section() as usize) else { continue };
-        let Some(road) = tables.roads.get(section.road() as usize) else { continue };
-        let segment = usize::from(place.segment);
-        let point = segment * usize::from(section.point_bytes());
-        let record = |row: usize| tables.cubics.get(row).map(ArchivedCubicRow::s);
-        black_box((
-            tables.geometries.get(middle(road.geometries())).map(ArchivedGeometryRow::s),
-            tables.points.get(lane.first_byte() as usize + point),
-            record(lane.first_width() as usize),
-            record(middle(road.lane_offsets())),
-            record(middle(road.superelevations())),
-            record(middle(road.elevations())),
-        ));
+#[inline(always)]
+pub(crate) fn records(tables: &Tables<'_>, stretch: LaneSegment) {
+    let Some(lane) = tables.lanes.get(stretch.lane as usize) else { return };
+    let Some(section) = tables.sections.get(lane.section() as usize) else { return };
+    let Some(road) = tables.roads.get(section.road() as usize) else { return };
+    searched(tables.geometries, road.geometries());
+    searched(tables.cubics, lane.widths());
+    searched(tables.cubics, road.lane_offsets());
+    searched(tables.cubics, road.superelevations());
+    searched(tables.cubics, road.elevations());
+    if lane.center_count() != ENDS {
+        let point = usize::from(stretch.segment) * usize::from(section.point_bytes());
+        tables.points.get(lane.first_byte() as usize + point).into_iter().for_each(prefetch);
+    }
+}
+
+/// Brings what a search among rows reads: all of few rows, which [`begun`](crate::begun::begun) compares side by side, of more the one where it begins.
+#[inline(always)]
+fn searched<T>(table: &[T], rows: Range) {
+    if rows.count as usize <= TOGETHER {
+        prefetch(rows.of(table));
+    } else {
+        let middle = rows.first.wrapping_add(rows.count / 2);
+        table.get(middle as usize).into_iter().for_each(prefetch);
     }
 }

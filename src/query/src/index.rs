@@ -3,8 +3,7 @@
 use crate::packed;
 use glam::{DVec2, Vec4};
 use mapd_archive::packed_index::{ANY, HEIGHT_UNIT, LEVELS, REACH_UNIT, WIDTH};
-use mapd_archive::{ArchivedIndexLeafRow, ArchivedIndexNodeRow, NONE, Tables};
-use std::hint::black_box;
+use mapd_archive::{ArchivedIndexLeafRow, ArchivedIndexNodeRow, NONE, Tables, prefetch};
 
 /// Places on the search stack: 15 siblings on each of 8 levels (16⁸ leaves) and some more.
 const STACK: usize = 160;
@@ -159,26 +158,24 @@ fn children_around(
     around
 }
 
-/// Reads ahead of several leaves of a node, so that memory is waited for side by side.
+/// Brings several leaves of a node, so that memory is waited for side by side.
 #[inline]
-fn read_ahead(tables: &Tables<'_>, first: u32, mut children: u32) {
+fn prefetch_leaves(tables: &Tables<'_>, first: u32, mut children: u32) {
     while children != 0 {
         let leaf = tables.index_leaves.get(first.wrapping_add(children.trailing_zeros()) as usize);
         children &= children - 1;
-        black_box(leaf.map(|leaf| {
-            (leaf.step(), leaf.start_x()[0], leaf.end_y()[0], leaf.reach()[WIDTH - 1])
-        }));
+        leaf.into_iter().for_each(prefetch);
     }
 }
 
-/// Visits every leaf whose box holds the point; with `heights`, only those that reach between them. `visit` gets the leaf and
-/// the point relative to the leaf's origin. As [`visit`] with a bound of 0, for less: nothing has to be sorted.
+/// Visits every leaf whose box holds the point; with `heights`, only those that reach between them. As [`visit`] with a bound
+/// of 0, for less: nothing has to be sorted, and nothing of a leaf is read.
 #[inline]
-pub(crate) fn visit_around<'a>(
+pub(crate) fn leaves_around<'a>(
     tables: &Tables<'a>,
     local: DVec2,
     heights: Option<[f64; 2]>,
-    mut visit: impl FnMut(&'a ArchivedIndexLeafRow, f32, f32),
+    mut visit: impl FnMut(&'a ArchivedIndexLeafRow),
 ) {
     let Some(depth) = depth(tables) else { return };
     let (px, py) = (local.x as f32, local.y as f32);
@@ -188,8 +185,7 @@ pub(crate) fn visit_around<'a>(
     loop {
         if level == depth {
             if let Some(leaf) = tables.index_leaves.get(at as usize) {
-                let (x, y) = (f64::from(leaf.x()), f64::from(leaf.y()));
-                visit(leaf, (local.x - x) as f32, (local.y - y) as f32);
+                visit(leaf);
             }
         } else {
             let first = tables.index_levels.get(level).copied().unwrap_or(0);
@@ -197,7 +193,7 @@ pub(crate) fn visit_around<'a>(
             if let (Some(node), Some(place)) = (node, above.get_mut(level)) {
                 let children = children_around(node, px, py, heights);
                 if level + 1 == depth && children & children.wrapping_sub(1) != 0 {
-                    read_ahead(tables, at.wrapping_mul(WIDTH as u32), children);
+                    prefetch_leaves(tables, at.wrapping_mul(WIDTH as u32), children);
                 }
                 *place = (at.wrapping_mul(WIDTH as u32), children);
                 level += 1;

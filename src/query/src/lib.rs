@@ -52,6 +52,7 @@
 
 mod annotation;
 mod area;
+mod around;
 pub mod batch;
 mod begun;
 mod by_row;

@@ -2,8 +2,6 @@
 
 use crate::area::{self, Cross, Slab, SlabPosition};
 use crate::error::QueryError;
-use crate::fetch;
-use crate::held::Held;
 use crate::ids::LaneId;
 use crate::index::{self, LaneSegment};
 use crate::lane::Lane;
@@ -328,57 +326,6 @@ impl<'a> Map<'a> {
         found.and_then(|found| found.nearest(*self))
     }
 
-    /// The best of the lanes that hold a point.
-    #[inline]
-    pub(crate) fn lane_around(
-        &self,
-        point: Point,
-        local: DVec2,
-        options: &NearestOptions,
-    ) -> Option<Candidate<'a>> {
-        let heights = options.heights(point);
-        let mut best = Best::default();
-        let is_by_offset = options.is_by_offset(point);
-        let mut held = Held::new(is_by_offset.then(|| self.index_tolerance()));
-        index::visit_around(self.tables(), local, heights, |leaf, qx, qy| {
-            let (lanes, segments) = (leaf.lane(), leaf.segment());
-            let around = index::places_around(leaf, qx, qy, heights);
-            let mut places = around.places;
-            while places != 0 {
-                let k = places.trailing_zeros() as usize;
-                places &= places - 1;
-                if held.is_full() {
-                    self.decide(&held, &mut best, point, local, options);
-                    held.clear();
-                }
-                let stretch = LaneSegment { lane: lanes[k], segment: segments[k] };
-                if held.add(stretch, around.beside_squared[k], leaf.step()) {
-                    fetch::rows(self.tables(), lanes[k]);
-                }
-            }
-        });
-        self.decide(&held, &mut best, point, local, options);
-        best.0
-    }
-
-    /// Decides on the exact curves which of the lanes that hold a point is the best.
-    fn decide(
-        &self,
-        held: &Held,
-        best: &mut Best<'a>,
-        point: Point,
-        local: DVec2,
-        options: &NearestOptions,
-    ) {
-        fetch::records(self.tables(), held.promising());
-        for held in held.stretches() {
-            if !best.is_nearer_than(held.off_center) {
-                let found = self.candidate_around(held.stretch, point, local, options);
-                best.consider(found, *self, options);
-            }
-        }
-    }
-
     /// The nearest of the lanes, where none holds the point; `known`, if any, is one of them.
     fn lane_beside(
         &self,
@@ -468,21 +415,6 @@ impl<'a> Map<'a> {
         let lane = Lane::new(*self, stretch.lane);
         let lane = lane.filter(|lane| options.types.contains(lane.kind()))?;
         Candidate::on(&lane, stretch.segment, point, local, options)
-    }
-
-    /// As [`Self::candidate`], of a stretch that holds the point.
-    #[inline]
-    fn candidate_around(
-        &self,
-        stretch: LaneSegment,
-        point: Point,
-        local: DVec2,
-        options: &NearestOptions,
-    ) -> Option<Candidate<'a>> {
-        let lane = Lane::new(*self, stretch.lane);
-        let lane = lane.filter(|lane| options.types.contains(lane.kind()))?;
-        let slab = area::slab(&lane, usize::from(stretch.segment))?;
-        Candidate::around(&lane, &lane, &slab, point, local, options)
     }
 }
 
