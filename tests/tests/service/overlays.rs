@@ -255,6 +255,49 @@ fn routes_heed_it() {
     assert_eq!(query.expect("ends").status.code(), Some(2));
 }
 
+/// Speeds along a route and at a place are today's: they were the map's. Kinds that heed no overlay refuse the option, which they took in silence.
+#[test]
+fn speeds_heed_it() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    let slow =
+        r#"{"entries":[{"id":"slow","kind":"speed","value":5,"lanes":[{"road":"1","lane":-1}]}]}"#;
+    scene.ends(&["apply", "-"], slow, 0);
+    let ask = |kind: &str, more: &[&str], rows: &str| {
+        let mut command = scene.place.command();
+        command.args(["query", "shm:town", kind]).args(more);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().expect("starts");
+        // A command that refuses its options reads nothing.
+        let _ = child.stdin.take().expect("stdin").write_all(rows.as_bytes());
+        child.wait_with_output().expect("ends")
+    };
+    let way = "from_road,from_s,from_lane,to_road,to_s,to_lane\n1,38,-1,1,60,-1\n";
+    let place = "road_id,s,lane_id\n1,38,-1\n";
+    for (kind, rows) in [("path", way), ("corridor", way), ("speed", place)] {
+        let speeds = |more: &[&str]| {
+            let output = ask(kind, more, rows);
+            assert!(output.status.success(), "{output:?}");
+            let mut table = csv::Reader::from_reader(&*output.stdout);
+            let column = table.headers().expect("a head").iter().position(|h| h == "speed");
+            let column = column.expect("a column of speeds");
+            table.records().map(|row| row.expect("a row")[column].to_owned()).collect::<Vec<_>>()
+        };
+        let (plain, today) = (speeds(&[]), speeds(&["--overlay"]));
+        assert_eq!(plain.len(), today.len());
+        assert!(
+            !plain.is_empty() && plain.iter().all(|speed| speed.starts_with("13.88")),
+            "{kind}: {plain:?}"
+        );
+        assert!(today.iter().all(|speed| speed == "5.0"), "{kind}: {today:?}");
+    }
+    let said = ask("speed", &["--overlay"], place);
+    assert!(String::from_utf8_lossy(&said.stdout).contains("5.0,overlay"), "{said:?}");
+    let refused = ask("nearest", &["--overlay"], "x,y\n1,1\n");
+    assert_eq!(refused.status.code(), Some(2), "{refused:?}");
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("nearest does not heed --overlay"));
+}
+
 /// Commands say which entries hold at a moment; one that has ended goes at the next change.
 #[test]
 fn entries_hold_at_moments() {

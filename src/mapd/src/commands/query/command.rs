@@ -82,6 +82,9 @@ impl QueryCommand {
         if !self.route.overlay {
             return Ok(View::of(snapshot.map(), None, UNIX_EPOCH));
         }
+        if !self.kind.heeds_overlay() {
+            bail!(UsageError(format!("{} does not heed --overlay", self.kind.name())));
+        }
         if !self.source.starts_with(source::SHARED) {
             bail!(UsageError("--overlay goes with a map that is served, shm:NAME".to_owned()));
         }

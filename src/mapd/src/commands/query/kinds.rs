@@ -12,6 +12,9 @@ use mapd_client::{Lane, Map, NearestOptions, Point, QueryError, Road, Track};
 use mapd_query::glam::DVec2;
 use mapd_query::route::PositionOnLane;
 
+/// Origin of a speed limit that an entry of the overlay states.
+const OVERLAY: &str = "overlay";
+
 /// A value of s may lie this far `[m]` outside the road: rounding in somebody's file.
 const S_TOLERANCE: f64 = 1e-6;
 
@@ -194,6 +197,20 @@ impl Kind {
         }
     }
 
+    /// Whether its answers heed what is laid over the map.
+    pub(crate) fn heeds_overlay(self) -> bool {
+        matches!(
+            self,
+            Self::Route
+                | Self::Path
+                | Self::Corridor
+                | Self::Project
+                | Self::Conflicts
+                | Self::Speed
+                | Self::Signals
+        )
+    }
+
     /// Whether it is about places of the map, some of which may be in quarantine.
     pub(crate) fn concerns_places(self) -> bool {
         !matches!(self, Self::Geodetic | Self::FromGeodetic)
@@ -217,11 +234,11 @@ impl Kind {
     }
 
     /// Answers one row; the error says why there is no answer.
-    pub(crate) fn answer(
+    pub(crate) fn answer<'a>(
         self,
-        map: Map<'_>,
+        map: Map<'a>,
         options: &NearestOptions,
-        tools: &mut Tools<'_>,
+        tools: &mut Tools<'a>,
         row: &Row<'_>,
         out: &mut Vec<String>,
     ) -> Result<(), String> {
@@ -285,9 +302,11 @@ impl Kind {
             Self::Conflicts => path::answer(PathQuestion::Conflicts, tools, map, row, out)?,
             Self::Speed => {
                 let (lane, s) = lane(holes, map, row)?;
-                let rule = lane.speed_rule_at(s);
+                let rule = router.view().speed_rule_at(lane.lane_id(), s, router.vehicle());
+                let rule = rule.map_err(text)?;
                 out.push(rule.max.map(number).unwrap_or_default());
-                out.push(rule.origin.name().to_owned());
+                let by_overlay = rule.restriction.map(|_| OVERLAY);
+                out.push(by_overlay.unwrap_or(rule.map.origin.name()).to_owned());
             }
             Self::Route => router.answer(holes, map, row, out)?,
             Self::Objects => super::objects::answer(map, row, out)?,
@@ -295,7 +314,7 @@ impl Kind {
             Self::Signals => {
                 let (lane, s) = lane(holes, map, row)?;
                 let from = PositionOnLane { lane: lane.lane_id(), s };
-                signals::answer(map, from, row.number("distance")?, router.vehicle(), out)?;
+                signals::answer(router, from, row.number("distance")?, out)?;
             }
             Self::Annotations => besides::annotations(map, holes, row, out)?,
             Self::Visibility => {

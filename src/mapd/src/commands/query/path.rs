@@ -67,10 +67,10 @@ pub(super) enum PathQuestion {
 /// Answers a row about the path of its route.
 ///
 /// Errors: there is no route, or no answer along it, and why.
-pub(super) fn answer(
+pub(super) fn answer<'a>(
     along: PathQuestion,
-    tools: &mut Tools<'_>,
-    map: Map<'_>,
+    tools: &mut Tools<'a>,
+    map: Map<'a>,
     row: &Row<'_>,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
@@ -78,7 +78,7 @@ pub(super) fn answer(
     paths.find(router, holes, map, row)?;
     let path = Path::of(map, &paths.buffer).map_err(text)?;
     match along {
-        PathQuestion::Line => line(&path, map, router.step(), out),
+        PathQuestion::Line => line(&path, router, out),
         PathQuestion::Corridor => corridor(&path, router, &mut paths.corridor, out),
         PathQuestion::Project => project(&path, map, row, out),
         PathQuestion::Conflicts => conflicts(&path, map, router.rules(), out),
@@ -86,8 +86,8 @@ pub(super) fn answer(
 }
 
 /// `path`: a row for each station.
-fn line(path: &Path<'_, '_>, map: Map<'_>, step: f64, out: &mut Vec<String>) -> Result<(), String> {
-    let end = path.length();
+fn line<'a>(path: &Path<'a, '_>, router: &Router<'a>, out: &mut Vec<String>) -> Result<(), String> {
+    let (view, step, end) = (router.view(), router.step(), path.length());
     check_step(step, end)?;
     let mut stations = 0u64;
     loop {
@@ -97,10 +97,10 @@ fn line(path: &Path<'_, '_>, map: Map<'_>, step: f64, out: &mut Vec<String>) -> 
         let at = path.at(along).map_err(text)?;
         let p = at.position;
         numbers(out, &[at.along, p.x, p.y, p.z, at.heading, at.curvature]);
-        out.push(map.lane(at.lane).map_err(text)?.key().to_string());
+        out.push(view.map().lane(at.lane).map_err(text)?.key().to_string());
         numbers(out, &[at.left, at.right]);
-        let speed = path.speed_at(along).and_then(|rule| rule.max);
-        out.push(speed.map(number).unwrap_or_default());
+        let speed = view.speed_on_path(path, along, router.vehicle()).map_err(text)?;
+        out.push(speed.max.map(number).unwrap_or_default());
         if along >= end {
             return Ok(());
         }
@@ -108,15 +108,16 @@ fn line(path: &Path<'_, '_>, map: Map<'_>, step: f64, out: &mut Vec<String>) -> 
 }
 
 /// `corridor`: a row for each station.
-fn corridor(
-    path: &Path<'_, '_>,
-    router: &Router<'_>,
+fn corridor<'a>(
+    path: &Path<'a, '_>,
+    router: &Router<'a>,
     room: &mut Corridor,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
     let (step, length) = (router.step(), path.length());
     check_step(step, length)?;
-    path.corridor(0.0, length, step, router.vehicle(), room).map_err(text)?;
+    let view = router.view();
+    view.corridor(path, 0.0, length, step, router.vehicle(), room).map_err(text)?;
     path.corridor_surface(room).map_err(text)?;
     for i in 0..room.len() {
         let (left, right) = (room.left[i], room.right[i]);

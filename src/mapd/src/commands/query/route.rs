@@ -43,7 +43,7 @@ pub struct RouteArgs {
     /// route, signals: kind of vehicle, in the words of access/restriction
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
     vehicle: VehicleClass,
-    /// shm:NAME: heed what is laid over the map (route, and all that goes along one)
+    /// shm:NAME: heed what is laid over the map (route, all that goes along one, speed, signals)
     #[arg(long)]
     pub(super) overlay: bool,
     /// --overlay: as it is at this moment, as 2026-05-04T07:00:00Z or seconds since 1970 [default: now]
@@ -114,6 +114,11 @@ impl<'a> Router<'a> {
             steps: Vec::new(),
             avoid: args.avoid.iter().map(lane).collect(),
         }
+    }
+
+    /// The map, under what is laid over it if that is heeded.
+    pub(super) fn view(&self) -> View<'a> {
+        self.view
     }
 
     /// Who travels.

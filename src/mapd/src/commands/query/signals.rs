@@ -1,10 +1,9 @@
 //! `mapd query … signals`.
 
 use super::kinds::{number, numbers, text};
-use mapd_client::Map;
+use super::route::Router;
 use mapd_query::route::PositionOnLane;
 use mapd_query::signals::{LightStates, SignalsAhead};
-use mapd_query::vocabulary::VehicleClass;
 
 /// Columns of the answer.
 pub(super) const COLUMNS: &[&str] = &[
@@ -25,14 +24,14 @@ pub(super) const COLUMNS: &[&str] = &[
 /// Signals ahead of a place, a row of columns each, the nearest first. A signal that counts for several lanes ahead stands
 /// once, where it is met first.
 pub(super) fn answer(
-    map: Map<'_>,
+    router: &Router<'_>,
     from: PositionOnLane,
     distance: f64,
-    vehicle: VehicleClass,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
-    let mut ahead = SignalsAhead::default();
-    map.signals_ahead(from, distance, vehicle, &mut ahead).map_err(text)?;
+    let (view, mut ahead) = (router.view(), SignalsAhead::default());
+    view.signals_ahead(from, distance, router.vehicle(), &mut ahead).map_err(text)?;
+    let map = view.map();
     let mut seen = std::collections::HashSet::new();
     for one in ahead.iter().filter(|one| seen.insert(one.signal)) {
         let signal = map.signal(one.signal).map_err(text)?;
