@@ -305,6 +305,11 @@ impl<'a> Curve<'a> {
             if better != u && (better - u).abs() <= LAST_STEP && lo < better && better < hi {
                 (u, frame) = (better, self.frame(better));
             }
+            // The search may stop just short of an end that the target lies beyond.
+            let end = if better >= hi { hi } else { lo };
+            if !(lo < better && better < hi) && u != end && (end - u).abs() <= LAST_STEP {
+                (u, frame) = (end, self.frame(end));
+            }
         }
         let gap = target - frame.position;
         let distance_squared = gap.length_squared();

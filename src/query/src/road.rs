@@ -422,7 +422,7 @@ impl<'a> Road<'a> {
         }
         let local: DVec2 = point.xy - self.map.origin();
         let end = self.reference_end();
-        let mut best: Option<(f64, GeometryPiece<'a>, mapd_geometry::Projection)> = None;
+        let mut best: Option<(f64, f64, mapd_geometry::Projection)> = None;
         let rows = self.geometries();
         for (i, g) in rows.iter().enumerate().filter(|(_, g)| g.s() <= end) {
             let from_start = DVec2::new(local.x - g.x(), local.y - g.y()).length();
@@ -439,19 +439,23 @@ impl<'a> Road<'a> {
             let piece = self.piece(g).ok_or(QueryError::Corrupt)?;
             // Where geometries overlap, the later one holds.
             let next = rows.get(i + 1).map_or(end, |next| next.s().min(end));
-            let foot = piece.curve.project_within(local.x, local.y, next - piece.s);
+            let limit = (next - piece.s).min(piece.curve.length());
+            let foot = piece.curve.project_within(local.x, local.y, limit);
             let distance = foot.distance_squared.sqrt();
-            let better = |(d, _, b): &(f64, GeometryPiece<'a>, mapd_geometry::Projection)| {
+            let better = |(d, _, b): &(f64, f64, mapd_geometry::Projection)| {
                 // A perpendicular foot has to lose by more than rounding, and wins within it.
                 let allowance = f64::from(i8::from(b.clamped) - i8::from(foot.clamped)) * JOINT;
                 distance < *d + allowance
             };
             if best.as_ref().is_none_or(better) {
-                best = Some((distance, piece, foot));
+                let s = piece.s + foot.u;
+                // At a piece's end s is where the next one begins, which the sum may miss by rounding.
+                let s = if foot.u >= limit && (next - s).abs() <= JOINT { next } else { s };
+                best = Some((distance, s, foot));
             }
         }
-        let (distance, piece, foot) = best.ok_or(QueryError::Corrupt)?;
-        let s = clamp(piece.s + foot.u, 0.0, end.max(0.0));
+        let (distance, s, foot) = best.ok_or(QueryError::Corrupt)?;
+        let s = clamp(s, 0.0, end.max(0.0));
         let (roll_cos, roll_sin) = self.roll(At::new(s));
         let exact = !foot.clamped || self.leads_back(s, foot.lateral, local);
         let clamped = match (exact, s <= 0.0, s >= end) {

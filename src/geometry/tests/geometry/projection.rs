@@ -268,3 +268,28 @@ fn points_beyond_an_end_are_clamped() {
         }
     }
 }
+
+/// The search over the whole curve ended just short of the end, where nothing was clamped: the foot of a point beyond counted as perpendicular.
+#[test]
+fn points_beyond_an_end_of_a_cubic_are_clamped_by_the_search() {
+    let primitive = Primitive::ParamPoly3 {
+        u: [0.0, 6.81489426, -3.33844786, 0.0],
+        v: [0.0, 0.0, 3.07268177, 0.0],
+        range: ParameterRange::Normalized,
+    };
+    let length = 5.2897899;
+    let sample = Sample::new(primitive, length, Start::new(495.2, 385.8, 0.21325653));
+    let (curve, mut random) = (sample.curve(), Random(28));
+    for _ in 0..1000 {
+        for (u, sign) in [(0.0, -1.0), (length, 1.0)] {
+            let end = curve.evaluate(u);
+            let (beyond, t) = (random.range(1e-3, 5.0) * sign, random.range(-3.0, 3.0));
+            let x = end.x + beyond * end.cos - t * end.sin;
+            let y = end.y + beyond * end.sin + t * end.cos;
+            let foot = curve.project(x, y);
+            check_foot(&curve, &foot, x, y, 0.0, length);
+            let nearest = sampled(&curve, x, y, 0.0, length, 300);
+            assert!(foot.distance_squared.sqrt() <= nearest + FARTHER, "({x}, {y}): {foot:?}");
+        }
+    }
+}
