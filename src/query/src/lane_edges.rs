@@ -2,7 +2,7 @@
 
 use crate::lane::Lane;
 use crate::profile::{self, At, Slope};
-use mapd_archive::{ArchivedLaneRow, lane_flags};
+use mapd_archive::{ArchivedCubicRow, ArchivedLaneRow, lane_flags};
 
 /// t of both edges with their derivatives by s.
 #[derive(Clone, Copy, Debug, Default)]
@@ -47,14 +47,19 @@ impl<'a> Lane<'a> {
         }
     }
 
+    /// Lane offsets of the layer that the lane is of.
+    pub(crate) fn own_lane_offsets(&self) -> &'a [ArchivedCubicRow] {
+        if self.is_temporary() {
+            self.road.temporary_lane_offsets()
+        } else {
+            self.road.lane_offsets()
+        }
+    }
+
     /// Walks from lane 0 outwards: widths add up from the lane offset; a border stands for itself.
     #[inline]
     pub(crate) fn edge_slopes(&self, at: At) -> EdgeSlopes {
-        let mut edge = if self.is_temporary() {
-            profile::slope(self.road.temporary_lane_offsets(), at)
-        } else {
-            self.road.lane_offset_slope(at)
-        };
+        let mut edge = profile::slope(self.own_lane_offsets(), at);
         let mut edges = EdgeSlopes { inner: edge, outer: edge };
         let sign = if self.number() > 0 { 1.0 } else { -1.0 };
         let cubics = self.map.tables().cubics;
@@ -78,12 +83,7 @@ impl<'a> Lane<'a> {
     /// t of the outer edge at a place, with its growth along s, where it grows evenly from there to another s, by the records that hold at the place. None
     /// where it does not, or that is not plain.
     pub(crate) fn even_outer(&self, at: At, to: f64) -> Option<Slope> {
-        let offsets = if self.is_temporary() {
-            self.road.temporary_lane_offsets()
-        } else {
-            self.road.lane_offsets()
-        };
-        let mut edge = profile::even(offsets, at)?;
+        let mut edge = profile::even(self.own_lane_offsets(), at)?;
         let sign = if self.number() > 0 { 1.0 } else { -1.0 };
         let cubics = self.map.tables().cubics;
         let mut is_even = true;

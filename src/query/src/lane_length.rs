@@ -70,6 +70,52 @@ impl<'a> CachedGeometry<'a> {
     }
 }
 
+/// Where the centre line lies beside the reference line at a place, and how the road is rolled there.
+#[derive(Clone, Copy)]
+struct Middle {
+    /// t with its growth along s.
+    center: Slope,
+    /// Cosine and sine of the superelevation.
+    cos: f64,
+    sin: f64,
+    /// Growth of the superelevation along s `[rad/m]`; 0 where it is level across.
+    turned: f64,
+}
+
+/// Metres of a lane's centre line per metre of s, for places that are asked for one behind the other.
+struct Growth<'l, 'a> {
+    lane: &'l Lane<'a>,
+    held: CachedGeometry<'a>,
+    /// That of all places, where it does not change.
+    middle: Option<Middle>,
+}
+
+impl Growth<'_, '_> {
+    /// In plan view.
+    fn at(&mut self, s: f64) -> f64 {
+        let Middle { center, cos, sin, turned } =
+            self.middle.unwrap_or_else(|| self.lane.middle(At::new(s)));
+        let piece = self.held.at(&self.lane.road, s);
+        let curvature = piece.map_or(0.0, |piece| piece.curve.curvature(s - piece.s));
+        let along = 1.0 - curvature * center.value * cos;
+        let across = center.derivative * cos - center.value * sin * turned;
+        (along * along + across * across).sqrt()
+    }
+
+    /// The same all over from one s up to another: nothing of it changes, and the reference line is one line or one arc.
+    fn even(&mut self, from: f64, to: f64) -> Option<f64> {
+        let piece = self.held.at(&self.lane.road, from).filter(|_| to <= self.held.to)?;
+        piece.curve.even_curvature_up_to(to - piece.s).filter(|_| self.middle.is_some())?;
+        Some(self.at(0.5 * (from + to)))
+    }
+
+    /// Length of a stretch on which the lane is smooth.
+    fn stretch(&mut self, from: f64, to: f64) -> f64 {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        half * (self.at(middle - half * GAUSS) + self.at(middle + half * GAUSS))
+    }
+}
+
 /// Whether the value of a profile is the same all over from one s up to another.
 fn is_constant(records: &[ArchivedCubicRow], from: f64, to: f64) -> bool {
     let next = records.partition_point(|record| record.s() <= from);
@@ -106,15 +152,16 @@ impl<'a> Lane<'a> {
         let (from, to) = (inside(a.min(b)), inside(a.max(b)));
         let line = self.center_line();
         let (mut sum, mut last) = (0.0, from);
-        let mut held = CachedGeometry::NONE;
-        let even = self.even_growth(&mut held, from, to);
+        let middle = self.even_middle(from, to);
+        let mut growth = Growth { lane: self, held: CachedGeometry::NONE, middle };
+        let even = growth.even(from, to);
         let within = line.points_before(from)..line.len();
         let cuts = within.map_while(|i| line.station(i).filter(|s| *s < to));
         for s in cuts.chain([to]) {
             if s > last {
                 sum += match even {
                     Some(growth) => 0.5 * (s - last) * (growth + growth),
-                    None => self.stretch(&mut held, last, s),
+                    None => growth.stretch(last, s),
                 };
                 last = s;
             }
@@ -122,48 +169,28 @@ impl<'a> Lane<'a> {
         sum
     }
 
-    /// Metres of centre line per metre of s between two s, where they are the same all along: the reference line is one line or
-    /// one arc, and superelevation and widths do not change.
-    fn even_growth(&self, held: &mut CachedGeometry<'a>, from: f64, to: f64) -> Option<f64> {
-        let piece = held.at(&self.road, from).filter(|_| from < to && to <= held.to)?;
-        piece.curve.even_curvature_up_to(to - piece.s)?;
-        let offsets = if self.is_temporary() {
-            self.road.temporary_lane_offsets()
-        } else {
-            self.road.lane_offsets()
-        };
-        let lanes = self.section.rows();
-        let own = self.row_number().wrapping_sub(self.section.row.lanes().first) as usize;
-        let center = lanes.binary_search_by(|lane| 0.cmp(&lane.number())).ok()?;
-        let inner = lanes.get(own.min(center)..=own.max(center))?;
+    /// Where the centre line lies from one s up to another, if that is the same all along: superelevation and widths do not change.
+    fn even_middle(&self, from: f64, to: f64) -> Option<Middle> {
         let cubics = self.map.tables().cubics;
-        let is_even = inner.iter().all(|lane| is_constant(lane.widths().of(cubics), from, to))
-            && is_constant(offsets, from, to)
+        let mut is_even = from < to
+            && is_constant(self.own_lane_offsets(), from, to)
             && is_constant(self.road.superelevations(), from, to);
-        is_even.then(|| self.growth(held, 0.5 * (from + to)))
+        if is_even {
+            self.walk_outwards(|lane| is_even &= is_constant(lane.widths().of(cubics), from, to));
+        }
+        is_even.then(|| self.middle(At::new(0.5 * (from + to))))
     }
 
-    /// Length of a stretch on which the lane is smooth. `held` is the piece that held at the place before.
-    fn stretch(&self, held: &mut CachedGeometry<'a>, from: f64, to: f64) -> f64 {
-        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        half * (self.growth(held, middle - half * GAUSS) + self.growth(held, middle + half * GAUSS))
-    }
-
-    /// Metres of centre line per metre of s, in plan view.
-    fn growth(&self, held: &mut CachedGeometry<'a>, s: f64) -> f64 {
-        let at = At::new(s);
+    /// Where the centre line lies at a place.
+    fn middle(&self, at: At) -> Middle {
         let edges = self.edge_slopes(at);
         let center = Slope {
             value: 0.5 * (edges.inner.value + edges.outer.value),
             derivative: 0.5 * (edges.inner.derivative + edges.outer.derivative),
         };
         let (cos, sin) = self.road.roll(at);
-        let curvature =
-            held.at(&self.road, s).map_or(0.0, |piece| piece.curve.curvature(at.s - piece.s));
-        let along = 1.0 - curvature * center.value * cos;
         let turned = if sin == 0.0 { 0.0 } else { self.road.superelevation_slope(at) };
-        let across = center.derivative * cos - center.value * sin * turned;
-        (along * along + across * across).sqrt()
+        Middle { center, cos, sin, turned }
     }
 
     /// Time to travel the centre line between two places on the road at the speed limit of [`Lane::speed_limit_at`] `[s]`: 50 km/h where there is none
