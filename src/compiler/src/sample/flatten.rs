@@ -23,6 +23,9 @@ const BEND_OF_ARC: f64 = 0.5;
 /// Arcs up to so long are nowhere as far from their chord as in the middle `[rad]`.
 const LONGEST_ARC: f64 = FRAC_PI_2;
 
+/// Share of the tolerance that says of all parts of an arc what it says of one: they are alike but for rounding.
+const SURE: f64 = 0.999;
+
 /// Factor on the distance from the chord when it is shared out: what may lie between the places comes to an eighth of it.
 const ALLOWANCE: f64 = 1.15;
 /// Parts that a stretch is cut into at once: what a few places say of a long stretch may be far off.
@@ -137,23 +140,35 @@ fn place(curve: &mut impl Curve, s: f64) -> Result<DVec3, Fault> {
     curve.at(s).ok_or(Fault::NotFinite)
 }
 
+/// What a stretch needs.
+#[derive(Clone, Copy)]
+struct Need {
+    /// Parts that it is cut into.
+    parts: u32,
+    /// Whether all stretches of its length on the same arc surely need one part.
+    settles_alike: bool,
+}
+
+/// Appends the points behind the first one of a stretch. Whether other stretches of its length surely need one segment as well.
 fn refine(
     (a, b): (Sample, Sample),
     fineness: Fineness,
     depth: u32,
     curve: &mut impl Curve,
     out: &mut Vec<Sample>,
-) -> Result<(), Fault> {
+) -> Result<bool, Fault> {
     if out.len() > fineness.most {
         return Err(Fault::TooManyPoints);
     }
-    let parts =
-        if depth == 0 { 1 } else { parts(a, b, fineness, curve).ok_or(Fault::NotFinite)? };
+    let one = Need { parts: 1, settles_alike: false };
+    let Need { parts, settles_alike } =
+        if depth == 0 { one } else { need(a, b, fineness, curve).ok_or(Fault::NotFinite)? };
     if parts == 1 {
         out.push(b);
-        return Ok(());
+        return Ok(settles_alike);
     }
     let mut from = a;
+    let mut is_settled = false;
     for i in 1..=parts {
         let to = if i == parts {
             b
@@ -161,15 +176,19 @@ fn refine(
             let s = a.s + (b.s - a.s) * (f64::from(i) / f64::from(parts));
             Sample { s, position: place(curve, s)? }
         };
-        refine((from, to), fineness, depth - 1, curve, out)?;
+        if is_settled {
+            out.push(to);
+        } else {
+            is_settled = refine((from, to), fineness, depth - 1, curve, out)?;
+        }
         from = to;
     }
-    Ok(())
+    Ok(false)
 }
 
-/// Into how many parts a stretch is cut: one where the curve stays near the chord between two of its points, at the places
+/// What a stretch needs: one part where the curve stays near the chord between two of its points, at the places
 /// that are looked at, and, as far as differences tell how it bends, between them.
-fn parts(a: Sample, b: Sample, fineness: Fineness, curve: &mut impl Curve) -> Option<u32> {
+fn need(a: Sample, b: Sample, fineness: Fineness, curve: &mut impl Curve) -> Option<Need> {
     let tolerance = fineness.tolerance;
     let mut at = |share: f64| curve.at(a.s + (b.s - a.s) * share);
     let mut place = |i: usize| at(i as f64 / PARTS as f64);
@@ -178,11 +197,12 @@ fn parts(a: Sample, b: Sample, fineness: Fineness, curve: &mut impl Curve) -> Op
     let middle = place(PARTS / 2)?;
     let off = chord.distance_squared(middle).sqrt();
     if off > tolerance {
-        return Some(needed(off / tolerance));
+        return Some(Need { parts: needed(off / tolerance), settles_alike: false });
     }
     let in_all = |off: f64, bend: f64| {
         let excess = (off + BETWEEN * bend) / tolerance;
-        if excess <= 1.0 { 1 } else { needed(excess) }
+        let parts = if excess <= 1.0 { 1 } else { needed(excess) };
+        Need { parts, settles_alike: fineness.arc > 0.0 && excess <= SURE }
     };
     if b.s - a.s <= fineness.arc {
         return Some(in_all(off, BEND_OF_ARC * off));
@@ -242,6 +262,46 @@ pub(crate) fn distance_to_segment(p: DVec3, a: DVec3, b: DVec3) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const TOLERANCE: f64 = 0.01;
+
+    /// A rising arc; how often it was asked for a place.
+    struct Helix {
+        radius: f64,
+        asked: usize,
+    }
+
+    impl Curve for Helix {
+        fn at(&mut self, s: f64) -> Option<DVec3> {
+            self.asked += 1;
+            let (cos, sin) = mapd_geometry::cos_sin(s / self.radius);
+            Some(DVec3::new(1000.0 + self.radius * cos, self.radius * sin, 0.05 * s))
+        }
+
+        fn arc(&mut self, _from: f64, _to: f64) -> Option<f64> {
+            Some(1.0 / self.radius)
+        }
+    }
+
+    /// Parts of an arc are alike: each of them was compared with its chord. It still stays near them all over.
+    #[test]
+    fn of_an_arcs_parts_one_is_looked_at() {
+        for (radius, length) in [(2.0, 3.0), (8.0, 12.0), (30.0, 100.0), (400.0, 1500.0)] {
+            let (mut helix, mut line) = (Helix { radius, asked: 0 }, Vec::new());
+            flatten(&[0.0, length], TOLERANCE, &mut helix, &mut line).expect("it is sampled");
+            assert!(line.len() > 4, "{radius}");
+            assert!(helix.asked <= line.len() + 12, "{} for {}", helix.asked, line.len());
+            for pair in line.windows(2) {
+                let [a, b] = [pair[0], pair[1]];
+                for part in 1..20 {
+                    let s = a.s + (b.s - a.s) * f64::from(part) / 20.0;
+                    let place = helix.at(s).expect("a place");
+                    let off = distance_to_segment(place, a.position, b.position);
+                    assert!(off <= TOLERANCE, "{radius}: {off} at {s}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn a_stretch_is_cut_into_two_to_so_many_parts() {
