@@ -75,6 +75,8 @@ struct Widths {
 struct Width {
     record: Record,
     is_border: bool,
+    /// The lane's edges, where neither they nor those of the lanes further in change while the records hold.
+    steady: Option<LaneEdges>,
 }
 
 impl Width {
@@ -147,10 +149,13 @@ impl<'a> SectionCutter<'a> {
     pub fn lane_edges(&mut self, lane: usize, s: f64) -> Option<LaneEdges> {
         let on_line = self.on_line(s);
         let widths = self.widths(s)?;
+        let (inward, sign) = widths.outwards_to(lane)?;
+        if let Some(Width { steady: Some(edges), .. }) = inward.last() {
+            return Some(*edges);
+        }
         let s = on_line;
         let offset = widths.offset.value(s);
         let none = LaneEdges { inner: offset, outer: offset };
-        let (inward, sign) = widths.outwards_to(lane)?;
         let mut edge = offset;
         Some(inward.iter().fold(none, |_, width| width.step(&mut edge, s, sign)))
     }
@@ -251,9 +256,23 @@ impl Widths {
         let mut width = |lane: &ArchivedLaneRow| Width {
             record: Record::of(held.record(lane.widths().of(cubics), hold)),
             is_border: lane.flags() & lane_flags::BORDER != 0,
+            steady: None,
         };
-        let left = lanes.get(..center)?.iter().rev().map(&mut width).collect();
-        let right = lanes.get(center + 1..)?.iter().map(&mut width).collect();
+        let mut left: Vec<Width> = lanes.get(..center)?.iter().rev().map(&mut width).collect();
+        let mut right: Vec<Width> = lanes.get(center + 1..)?.iter().map(&mut width).collect();
+        find_steady(&offset, &mut left, hold, 1.0);
+        find_steady(&offset, &mut right, hold, -1.0);
         Some(Self { held, offset, left, right })
+    }
+}
+
+/// Notes the edges of lanes, from the centre lane outwards, that do not change while their records hold, as at `hold`.
+fn find_steady(offset: &Record, lanes: &mut [Width], hold: f64, sign: f64) {
+    if !offset.is_constant() {
+        return;
+    }
+    let mut edge = offset.value(hold);
+    for lane in lanes.iter_mut().take_while(|lane| lane.record.is_constant()) {
+        lane.steady = Some(lane.step(&mut edge, hold, sign));
     }
 }
