@@ -36,6 +36,12 @@ fn power(exponent: u8) -> f64 {
     f64::from_bits((u64::from(exponent) + 1023 - u64::from(BIAS)) << 52)
 }
 
+/// One over such a power of two.
+#[inline]
+fn inverse_power(exponent: u8) -> f64 {
+    f64::from_bits((u64::from(BIAS) + 1023 - u64::from(exponent)) << 52)
+}
+
 /// Bits that numbers up to this one need.
 fn bits_for(most: f64) -> u32 {
     // Casts saturate.
@@ -136,13 +142,15 @@ impl PointCode {
     }
 
     /// Appends a point; offsets from the frame are rounded to steps, and those outside the reach to its ends.
+    #[inline]
     pub fn write(&self, offset: [f64; 3], station: u32, out: &mut Vec<u8>) {
-        let [xy, z] = self.exponents.map(power);
+        // Steps are powers of two, so that a product is what a quotient would be.
+        let [xy, z] = self.exponents.map(inverse_power);
         let [for_station, x, y, for_z] = self.bits;
         let station = u64::from(station) & mask(for_station);
         let counts = [x, y, for_z];
         let steps: [u64; 3] = std::array::from_fn(|axis| {
-            rounded(offset[axis] / [xy, xy, z][axis]).min(mask(counts[axis]))
+            rounded(offset[axis] * [xy, xy, z][axis]).min(mask(counts[axis]))
         });
         let mut at = u32::from(for_station);
         if self.bytes <= 8 {
@@ -171,15 +179,20 @@ impl PointCode {
     pub fn reader(&self) -> PointReader {
         let [station, x, y, z] = self.bits;
         let [xy_step, z_step] = self.exponents.map(power);
+        let behind_x = station.saturating_add(x);
+        let shifts = [station, behind_x, behind_x.saturating_add(y)];
+        let [of_station, of_x, of_y, of_z] = [station, x, y, z].map(mask);
+        // What begins behind the last of 64 bits is 0, and a shift by so many would be none.
+        let within = |mask: u64, shift: u8| if u32::from(shift) < u64::BITS { mask } else { 0 };
         PointReader {
             code: *self,
-            // More than 63 bits behind each other: those points are read one by one.
-            shifts: [
-                station,
-                station.saturating_add(x),
-                station.saturating_add(x).saturating_add(y),
+            shifts,
+            masks: [
+                of_station,
+                within(of_x, shifts[0]),
+                within(of_y, shifts[1]),
+                within(of_z, shifts[2]),
             ],
-            masks: [station, x, y, z].map(mask),
             steps: [xy_step, xy_step, z_step],
         }
     }
@@ -219,7 +232,7 @@ impl PointReader {
         let mut offset = self.steps;
         for (offset, (mask, shift)) in offset.iter_mut().zip(steps) {
             // Less than 2⁶³, so that the sign does not matter.
-            *offset *= (all.unbounded_shr(shift.into()) & mask) as i64 as f64;
+            *offset *= (all.wrapping_shr(shift.into()) & mask) as i64 as f64;
         }
         PackedPoint { station: (all & station) as u32, offset }
     }
@@ -346,6 +359,18 @@ mod tests {
         assert!(code.is_sound() && out.len() == 16, "{code:?}");
         for axis in 0..3 {
             assert!((found[axis] - reach[axis]).abs() <= code.error());
+        }
+    }
+
+    /// Parts without bits behind 64 others: the shift to them was one by nothing.
+    #[test]
+    fn parts_behind_64_bits_are_none() {
+        for bits in [[24, 40, 0, 0], [24, 20, 20, 0], [1, 63, 0, 0]] {
+            let code = PointCode { bytes: 8, bits, exponents: [BIAS; 2] };
+            assert!(code.is_sound());
+            let read = code.reader().read(&[0xff; 8]);
+            assert_eq!(read.offset, code.offset(&[0xff; 8]), "{bits:?}");
+            assert_eq!(read.offset[2], 0.0, "{bits:?}");
         }
     }
 

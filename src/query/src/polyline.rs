@@ -1,7 +1,9 @@
 //! Polylines as they lie in the archive.
 
 use glam::{DVec2, DVec3};
-use mapd_archive::{ArchivedLaneRow, ArchivedSectionRow, PackedPoint, PointCode, Tables};
+use mapd_archive::{
+    ArchivedLaneRow, ArchivedSectionRow, PackedPoint, PointCode, PointReader, Tables,
+};
 
 /// The points of a line, from the frame of their section.
 #[derive(Clone, Copy)]
@@ -134,6 +136,32 @@ pub struct LinePoint {
     pub position: DVec3,
 }
 
+/// A line, with what is the same for all its points.
+#[derive(Clone, Copy)]
+pub struct LineReader<'a> {
+    /// The line.
+    pub line: Polyline<'a>,
+    reader: PointReader,
+}
+
+impl LineReader<'_> {
+    /// A point as [`Polyline::points`] has it; none where the line has no such point.
+    #[inline]
+    pub fn point(&self, i: usize) -> Option<LinePoint> {
+        (i < self.line.len()).then(|| self.read(i))
+    }
+
+    /// A point that the line has.
+    #[inline(always)]
+    fn read(&self, i: usize) -> LinePoint {
+        let Polyline { origin, s_start, points } = &self.line;
+        let bytes = points.bytes.get(i * points.code.bytes()..).unwrap_or(&[]);
+        let PackedPoint { station, offset } = self.reader.read(bytes);
+        let station = points.stations.get(station as usize).copied().unwrap_or_default();
+        LinePoint { s: s_start + f64::from(station), position: *origin + DVec3::from_array(offset) }
+    }
+}
+
 impl<'a> Polyline<'a> {
     pub(crate) fn new(origin: DVec3, section: &ArchivedSectionRow, points: Points<'a>) -> Self {
         let frame = DVec3::new(section.x().into(), section.y().into(), section.z().into());
@@ -178,17 +206,15 @@ impl<'a> Polyline<'a> {
     /// them, for callers that need all.
     #[inline]
     pub fn points(&self) -> impl ExactSizeIterator<Item = LinePoint> + use<'a> {
-        let Self { origin, s_start, points } = *self;
-        let (reader, bytes) = (points.code.reader(), points.code.bytes());
-        (0..points.count).map(move |i| {
-            let PackedPoint { station, offset } =
-                reader.read(points.bytes.get(i * bytes..).unwrap_or(&[]));
-            let station = points.stations.get(station as usize).copied().unwrap_or_default();
-            LinePoint {
-                s: s_start + f64::from(station),
-                position: origin + DVec3::from_array(offset),
-            }
-        })
+        let reader = self.reader();
+        (0..self.len()).map(move |i| reader.read(i))
+    }
+
+    /// For callers that read many points one by one: for the compiler.
+    #[doc(hidden)]
+    #[inline]
+    pub fn reader(&self) -> LineReader<'a> {
+        LineReader { line: *self, reader: self.points.code.reader() }
     }
 
     /// Number of points whose s on the road is less than this `[m]`.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use mapd_query::Map;
-use mapd_query::compiling::ByRow as _;
+use mapd_query::compiling::{ByRow as _, LineReader};
 use mapd_query::roads::Polyline;
 
 /// A point of a line.
@@ -16,11 +16,20 @@ pub(super) struct Point {
 
 /// Points of a line, in ascending s.
 pub(super) struct Line<'a> {
-    points: Polyline<'a>,
+    points: LineReader<'a>,
     /// Inertial position that places count from `[m]`.
     origin: DVec3,
     /// How many points the last search passed: the next one mostly ends beside them.
     passed: usize,
+}
+
+/// Points beside a place.
+pub(super) struct Around {
+    /// The last one whose s is less.
+    pub(super) before: Option<Point>,
+    /// Number of the one behind it, and that one.
+    pub(super) next: usize,
+    pub(super) here: Option<Point>,
 }
 
 /// Lines of one lane.
@@ -50,25 +59,29 @@ impl<'a> LaneLines<'a> {
 
 impl<'a> Line<'a> {
     fn new(map: Map<'a>, points: Polyline<'a>) -> Self {
-        Self { points, origin: map.local_origin().extend(0.0), passed: 0 }
+        Self { points: points.reader(), origin: map.local_origin().extend(0.0), passed: 0 }
     }
 
     /// The point of this number, from 0.
     #[inline]
     pub(super) fn point(&self, i: usize) -> Option<Point> {
-        let place = self.points.position(i)? - self.origin;
-        Some(Point { s: self.points.station(i)?, place })
+        let point = self.points.point(i)?;
+        Some(Point { s: point.s, place: point.position - self.origin })
     }
 
-    /// Number of points whose s on the road is less than this `[m]`.
-    pub(super) fn points_before(&self, s: f64) -> usize {
-        let is_end = |at: &usize| {
-            let before = at.checked_sub(1).and_then(|i| self.points.station(i));
-            before.is_none_or(|before| before < s)
-                && self.points.station(*at).is_none_or(|behind| behind >= s)
+    /// Where s on the road `[m]` lies among the points.
+    #[inline]
+    pub(super) fn around(&self, s: f64) -> Around {
+        let around = |next: usize| {
+            let before = next.checked_sub(1).and_then(|i| self.point(i));
+            Around { before, next, here: self.point(next) }
         };
-        let near = [Some(self.passed), self.passed.checked_sub(1)];
-        near.into_iter().flatten().find(is_end).unwrap_or_else(|| self.points.points_before(s))
+        let is_there = |around: &Around| {
+            around.before.is_none_or(|p| p.s < s) && around.here.is_none_or(|p| p.s >= s)
+        };
+        let near = [Some(self.passed), self.passed.checked_sub(1)].into_iter().flatten();
+        let found = near.map(around).find(is_there);
+        found.unwrap_or_else(|| around(self.points.line.points_before(s)))
     }
 
     /// Remembers where a search ended.

@@ -1,6 +1,6 @@
 //! Builds the packed spatial index over the lanes' centre lines.
 
-use super::lane_lines::{LaneLines, Line, Point};
+use super::lane_lines::{Around, LaneLines, Line, Point};
 use super::packed::{Key, ROUNDING, ordered, round_up, stack};
 use crate::findings::TooLarge;
 use crate::options::CompileOptions;
@@ -121,24 +121,32 @@ fn extent(borders: &mut [Line<'_>; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Exte
         } else {
             (away.length(), away.length())
         };
-        extent.reach = extent.reach.max(sideways.abs());
-        extent.overshoot = extent.overshoot.max(-forward).max(forward - length);
-        extent.z = [extent.z[0].min(p.z), extent.z[1].max(p.z)];
+        extent.reach = larger(extent.reach, sideways.abs());
+        extent.overshoot = larger(larger(extent.overshoot, -forward), forward - length);
+        extent.z = [-larger(-extent.z[0], -p.z), larger(extent.z[1], p.z)];
     };
     for border in borders {
-        let mut next = border.points_before(cuts[0]);
-        let mut before = next.checked_sub(1).and_then(|i| border.point(i));
-        let mut here = border.point(next);
-        cut(before, here, cuts[0]).into_iter().for_each(&mut visit);
+        let Around { mut before, mut next, mut here } = border.around(cuts[0]);
+        // A point at a cut is visited as itself.
+        if here.is_some_and(|p| p.s > cuts[0]) {
+            cut(before, here, cuts[0]).into_iter().for_each(&mut visit);
+        }
         while let Some(p) = here.filter(|p| p.s <= cuts[1]) {
             visit(p.place);
             next += 1;
             (before, here) = (here, border.point(next));
         }
-        cut(before, here, cuts[1]).into_iter().for_each(&mut visit);
+        if before.is_some_and(|p| p.s < cuts[1]) {
+            cut(before, here, cuts[1]).into_iter().for_each(&mut visit);
+        }
         border.pass(next);
     }
     extent
+}
+
+/// The larger of two numbers, `a` where `b` is none: one instruction where `max` looks for what is no number in both.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
 }
 
 /// The place at s between two points of a border.
@@ -189,7 +197,7 @@ impl LeafFrame {
     /// A place in steps.
     fn steps(&self, place: DVec2) -> [u16; 2] {
         let away = place - DVec2::from(self.corner.map(f64::from));
-        (away / f64::from(self.step)).to_array().map(|steps| steps.round() as u16)
+        (away / f64::from(self.step)).to_array().map(nearest)
     }
 
     /// The place that so many steps stand for.
@@ -216,8 +224,10 @@ fn leaf(map: Map<'_>, places: &[LaneSegment], options: &CompileOptions) -> (Inde
     let mut lanes: Vec<LaneLines<'_>> = Vec::with_capacity(WIDTH);
     for (segment, place) in segments.iter_mut().zip(places) {
         // Segments of one lane stand behind each other.
-        if lanes.last().is_none_or(|lines| lines.lane != place.lane) {
-            lanes.extend(LaneLines::of(map, place.lane));
+        if lanes.last().is_none_or(|lines| lines.lane != place.lane)
+            && let Some(lines) = LaneLines::of(map, place.lane)
+        {
+            lanes.push(lines);
         }
         let lines = lanes.last().filter(|lines| lines.lane == place.lane);
         *segment = lines.map_or_else(Default::default, |lines| ends(&lines.center, place.segment));
@@ -265,7 +275,7 @@ fn leaf(map: Map<'_>, places: &[LaneSegment], options: &CompileOptions) -> (Inde
         row.segment[k] = e.place.segment;
         row.reach[k] = units((e.extent.reach + rounding) * REACH_UNITS);
         row.overshoot[k] = units((e.extent.overshoot + rounding) * REACH_UNITS);
-        row.z_low[k] = ((e.extent.z[0] - z) * HEIGHT_UNITS).floor() as u16;
+        row.z_low[k] = ((e.extent.z[0] - z) * HEIGHT_UNITS) as u16;
         row.z_high[k] = units((e.extent.z[1] - z) * HEIGHT_UNITS);
         all = join(all, bounds(e));
     }
@@ -277,9 +287,18 @@ fn round_down(value: f64) -> f32 {
     -round_up(-value)
 }
 
-/// Rounded up; the largest value, which stands for any distance, where it does not fit. (Casts saturate.)
+// Casts drop what is behind the point and saturate; calls of the C library that round take several times as long.
+
+/// The nearest whole number, of two the larger one.
+fn nearest(value: f64) -> u16 {
+    let down = value as u16;
+    down.saturating_add(u16::from(value - f64::from(down) >= 0.5))
+}
+
+/// Rounded up; the largest value, which stands for any distance, where it does not fit.
 fn units(value: f64) -> u16 {
-    value.ceil() as u16
+    let down = value as u16;
+    down.saturating_add(u16::from(value > f64::from(down)))
 }
 
 /// A node over the boxes of its children.
@@ -305,4 +324,23 @@ fn node(children: &[Bounds]) -> (IndexNodeRow, Bounds) {
         all = join(all, *child);
     }
     (row, all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounds_as_the_library_does() {
+        let odd = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, -0.3, -0.7, -5.0, 1e300];
+        let whole = [0.0, 1.0, 2.0, 777.0, 65_534.0, 65_535.0, 65_536.0];
+        let near = whole.into_iter().flat_map(|whole: f64| {
+            [whole, whole + 0.5].into_iter().flat_map(|x| [x.next_down(), x, x.next_up()])
+        });
+        for value in odd.into_iter().chain(near) {
+            assert_eq!(nearest(value), value.round() as u16, "{value}");
+            assert_eq!(units(value), value.ceil() as u16, "{value}");
+            assert_eq!(value as u16, value.floor() as u16, "{value}");
+        }
+    }
 }
