@@ -209,8 +209,48 @@ struct Sampled {
     /// Centre line and border, lane by lane.
     samples: Vec<Sample>,
     line: Vec<Sample>,
+    /// Stations of the samples, each in the upper half with the number of its sample below.
+    order: Vec<u64>,
     stations: Vec<f32>,
+    /// Number of each sample's station.
+    ranks: Vec<u32>,
     breaks: Vec<f64>,
+}
+
+impl Sampled {
+    /// Finds the stations of a section that begins at an s, ascending, and which one each sample is at.
+    fn find_stations(&mut self, s_start: f64) {
+        let Self { samples, order, stations, ranks, .. } = self;
+        order.clear();
+        let key = |(number, sample): (usize, &Sample)| {
+            u64::from(comparable((sample.s - s_start) as f32)) << u32::BITS | number as u64
+        };
+        order.extend(samples.iter().enumerate().map(key));
+        order.sort_unstable();
+        stations.clear();
+        ranks.clear();
+        ranks.resize(samples.len(), 0);
+        for key in order {
+            let station = station((*key >> u32::BITS) as u32);
+            if stations.last() != Some(&station) {
+                stations.push(station);
+            }
+            ranks[*key as u32 as usize] = stations.len() as u32 - 1;
+        }
+    }
+}
+
+const SIGN: u32 = 1 << 31;
+
+/// A number that compares as the station does.
+fn comparable(station: f32) -> u32 {
+    let bits = station.to_bits();
+    if bits & SIGN == 0 { bits | SIGN } else { !bits }
+}
+
+/// The station of such a number.
+fn station(comparable: u32) -> f32 {
+    f32::from_bits(if comparable & SIGN == 0 { !comparable } else { comparable & !SIGN })
 }
 
 /// Samples the lane that is the `at`-th of its section from the left.
@@ -254,12 +294,8 @@ fn write(
     before: usize,
     lines: &mut Lines,
 ) {
-    let Sampled { samples, stations, .. } = sampled;
-    let station = |sample: &Sample| (sample.s - s_start) as f32;
-    stations.clear();
-    stations.extend(samples.iter().map(station));
-    stations.sort_by(f32::total_cmp);
-    stations.dedup();
+    sampled.find_stations(s_start);
+    let Sampled { samples, stations, ranks, .. } = sampled;
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for sample in samples.iter() {
         (low, high) = (low.min(sample.position), high.max(sample.position));
@@ -280,15 +316,11 @@ fn write(
         return;
     };
     lines.frames.push(SectionEncoding { origin, code, stations: stations.len() });
-    let mut rest = samples.as_slice();
+    for (sample, station) in samples.iter().zip(ranks) {
+        code.write((sample.position - from).to_array(), *station, &mut lines.bytes);
+    }
     for line in lines.lanes.iter_mut().skip(before) {
-        let (own, others) = rest.split_at(line.center + line.border);
-        for sample in own {
-            let at = stations.partition_point(|s| s.total_cmp(&station(sample)).is_lt());
-            code.write((sample.position - from).to_array(), at as u32, &mut lines.bytes);
-        }
-        line.bytes = own.len() * code.bytes();
-        rest = others;
+        line.bytes = (line.center + line.border) * code.bytes();
     }
     lines.stations.extend_from_slice(stations);
 }
