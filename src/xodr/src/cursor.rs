@@ -79,6 +79,14 @@ pub(crate) struct Open {
     last: usize,
 }
 
+/// The slot of an attribute that is not the expected one; none where the schema has no such attribute.
+#[inline(never)]
+fn slot_of(open: &Open, name: &[u8]) -> Option<usize> {
+    let known = open.schema.attributes;
+    let is = |slot: &usize| known.get(*slot).is_some_and(|a| same(a.name.as_bytes(), name));
+    (open.expected + 1..known.len()).chain(0..open.expected).find(is)
+}
+
 /// A step through the children of an element.
 pub(crate) enum NextChild {
     /// A child of the schema; its start tag has been read.
@@ -259,23 +267,15 @@ impl<'a> Cursor<'a> {
         loop {
             let raw = *self.tag.attributes.get(open.next)?;
             open.next += 1;
-            let name = self.bytes(raw.name);
             let known = open.schema.attributes;
-            let is = |slot: usize| known.get(slot).is_some_and(|a| same(a.name.as_bytes(), name));
+            let name = self.bytes(raw.name);
+            let is_expected =
+                known.get(open.expected).is_some_and(|a| same(a.name.as_bytes(), name));
             // Most files write attributes in the schema's order, some left out.
-            let slot = if is(open.expected) {
-                open.expected
-            } else {
-                match (open.expected + 1..known.len())
-                    .chain(0..open.expected)
-                    .find(|slot| is(*slot))
-                {
-                    Some(slot) => slot,
-                    None => {
-                        self.other_attribute(raw);
-                        continue;
-                    }
-                }
+            let slot = if is_expected { Some(open.expected) } else { slot_of(open, name) };
+            let Some(slot) = slot else {
+                self.other_attribute(raw);
+                continue;
             };
             let bit = 1 << slot;
             if open.seen & bit != 0 {
@@ -294,6 +294,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Lets paths name the element by an attribute.
+    #[inline(never)]
     fn set_key(&mut self, raw: RawAttribute) {
         let (from, to) = raw.value;
         let value = self.window.token().get(from as usize..to as usize).unwrap_or_default();
@@ -541,6 +542,10 @@ impl Cursor<'_> {
 
     /// Reads a child that may stand several times.
     pub(crate) fn push<T: Element>(&mut self, list: &mut Vec<T>) {
+        if list.capacity() == 0 {
+            // Nearly all lists of lanes have one entry, and entries have hundreds of bytes.
+            list.reserve_exact(1);
+        }
         list.push(T::default());
         if let Some(child) = list.last_mut() {
             element::read(child, self);

@@ -108,14 +108,13 @@ impl LineIndex {
         };
         let (mut start, mut line) = (checkpoint.start, checkpoint.line as usize);
         let mut lengths = self.lengths.get(checkpoint.place as usize..).unwrap_or_default();
-        // Eight short lines at once.
-        while let Some((eight, rest)) = lengths.split_first_chunk()
-            && let Some(length) = sum_of_short(u64::from_le_bytes(*eight))
-            && offset >= start + length
+        while let Some((eight, _)) = lengths.split_first_chunk()
+            && let Some(several) = SeveralLines::of(u64::from_le_bytes(*eight))
+            && offset >= start + several.length
         {
-            start += length;
-            line += eight.len();
-            lengths = rest;
+            start += several.length;
+            line += several.lines;
+            lengths = lengths.get(several.bytes..).unwrap_or_default();
         }
         let (mut length, mut shift) = (0, 0);
         for byte in lengths {
@@ -135,14 +134,48 @@ impl LineIndex {
     }
 }
 
-/// Sum of eight bytes; none where one is [`MORE`] or above.
-fn sum_of_short(eight: u64) -> Option<u64> {
-    const MORES: u64 = u64::from_ne_bytes([MORE; 8]);
+/// The lines whose lengths stand in the next eight bytes as a whole.
+struct SeveralLines {
+    lines: usize,
+    /// Of all together.
+    length: u64,
+    /// Of what is stored of them.
+    bytes: usize,
+}
+
+impl SeveralLines {
+    /// None where a line has 16 KiB or more.
+    #[inline]
+    fn of(eight: u64) -> Option<Self> {
+        const MORES: u64 = u64::from_ne_bytes([MORE; 8]);
+        const ONES: u64 = u64::from_ne_bytes([1; 8]);
+        let more = eight & MORES;
+        if more & (more << u8::BITS) != 0 {
+            return None;
+        }
+        // Of a length that goes on behind the eight bytes nothing is taken.
+        let bytes =
+            if more.leading_zeros() == 0 { u64::BITS / u8::BITS - 1 } else { u64::BITS / u8::BITS };
+        let more = more & (u64::MAX >> 1);
+        let taken = eight & !MORES & (u64::MAX >> (u64::BITS - u8::BITS * bytes));
+        // 1 in each byte with upper digits, which is one behind a mark.
+        let upper = more << 1;
+        let is_upper = (upper << BITS) - upper;
+        let length = sum_of_bytes(taken & !is_upper) + (sum_of_bytes(taken & is_upper) << BITS);
+        let marks = (more >> BITS).wrapping_mul(ONES) >> (u64::BITS - u8::BITS);
+        let bytes = bytes as usize;
+        Some(Self { lines: bytes - marks as usize, length, bytes })
+    }
+}
+
+/// Sum of eight bytes.
+#[inline]
+fn sum_of_bytes(eight: u64) -> u64 {
     // Every second byte, and 1 in each of four pairs.
     const EVEN: u64 = 0x00ff_00ff_00ff_00ff;
     const ONES: u64 = 0x0001_0001_0001_0001;
     let pairs = (eight & EVEN) + (eight >> u8::BITS & EVEN);
-    (eight & MORES == 0).then(|| pairs.wrapping_mul(ONES) >> 48)
+    pairs.wrapping_mul(ONES) >> 48
 }
 
 #[cfg(test)]
