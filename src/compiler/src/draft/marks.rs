@@ -12,21 +12,30 @@ pub(crate) struct Styles {
     sequences: HashMap<Vec<(u64, u32)>, u32>,
     /// Room for what is looked up: nearly all of it is there already.
     style: Vec<u8>,
+    /// The sequence that is being taken.
     sequence: Vec<(u64, u32)>,
 }
 
 impl Styles {
-    /// First row of a sequence of marks, which is written if it is a new one.
-    pub(crate) fn sequence(&mut self, rows: &mut Rows, marks: &[(f64, u32)]) -> u32 {
-        let Some((last, others)) = marks.split_last() else { return NONE };
+    /// Begins a sequence of marks.
+    pub(crate) fn begin(&mut self) {
         self.sequence.clear();
-        self.sequence.extend(marks.iter().map(|(s, style)| (s.to_bits(), *style)));
+    }
+
+    /// The next mark: where it begins behind the section's start `[m]`, and its style.
+    pub(crate) fn then(&mut self, s: f64, style: u32) {
+        self.sequence.push((s.to_bits(), style));
+    }
+
+    /// First row of the sequence of marks, which is written if it is a new one.
+    pub(crate) fn end(&mut self, rows: &mut Rows) -> u32 {
+        let Some((last, others)) = self.sequence.split_last() else { return NONE };
         if let Some(known) = self.sequences.get(&self.sequence) {
             return *known;
         }
         let first = rows.road_marks.len() as u32;
-        let row = |(s_offset, style): &(f64, u32), last| RoadMarkRow {
-            s_offset: *s_offset,
+        let row = |(s_offset, style): &(u64, u32), last| RoadMarkRow {
+            s_offset: f64::from_bits(*s_offset),
             style: *style,
             last,
             reserved: [0; 3],
@@ -89,10 +98,10 @@ impl Styles {
         let marks = part.road_marks.get(1..).unwrap_or_default();
         let mut at = 1;
         for own in marks.split_inclusive(|mark| mark.last != 0) {
-            let own: Vec<_> =
-                own.iter().map(|mark| (mark.s_offset, styles.row(mark.style))).collect();
+            self.begin();
+            own.iter().for_each(|mark| self.then(mark.s_offset, styles.row(mark.style)));
             if let Some(place) = places.get_mut(at) {
-                *place = self.sequence(rows, &own);
+                *place = self.end(rows);
             }
             at += own.len();
         }

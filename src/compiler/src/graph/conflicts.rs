@@ -148,10 +148,11 @@ fn of_section(map: Map<'_>, section: LaneSection<'_>, stretch: Stretch) -> Vec<C
     }
     let count = (((to - from) / CELL).ceil() as usize).clamp(1, MOST_CELLS);
     let cuts = (0..=count).map(|i| from + (to - from) * i as f64 / count as f64);
-    let cuts: Vec<_> = cuts.filter_map(|s| Some((s, cutter.cut(s)?))).collect();
+    let mut sections = Vec::with_capacity(count + 1);
+    sections.extend(cuts.filter_map(|s| Some((s, cutter.cut(s)?))));
     let origin = map.local_origin().extend(0.0);
     let candidate = |(at, lane): (usize, Lane<'_>)| {
-        let ends = cuts.iter().filter_map(|(s, cut)| {
+        let ends = sections.iter().filter_map(|(s, cut)| {
             let edges = cutter.lane_edges(at, *s)?;
             let [inner, outer] = [edges.inner, edges.outer].map(|t| origin + cut.place(t));
             let s = (s - start) as f32;

@@ -34,15 +34,15 @@ impl Draft {
         road: &str,
         findings: &mut Vec<Finding>,
     ) -> u32 {
-        let mut own = Vec::with_capacity(marks.len());
+        self.styles.begin();
         for mark in marks {
             let path = ElementPath::new(road, "lanes/laneSection/lane/roadMark");
             let mut part = ElementContext { span: mark.span, path, findings };
             let Some(s) = place(mark.s_offset.value(), "sOffset", &mut part) else { continue };
             let style = self.style(mark, section_s + s, &mut part);
-            own.push((s, style));
+            self.styles.then(s, style);
         }
-        self.styles.sequence(&mut self.rows, &own)
+        self.styles.end(&mut self.rows)
     }
 
     fn style(&mut self, mark: &xodr::RoadMark, s: f64, part: &mut ElementContext<'_>) -> u32 {

@@ -260,8 +260,7 @@ impl<'a> Lane<'a> {
 
     /// Lanes from which the junction is entered on the way through this one.
     pub fn entries(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
-        let map = self.map;
-        self.movement_start().predecessors().filter_map(move |id| Lane::new(map, id.row()))
+        self.movement_start().before()
     }
 
     /// Lanes of the junction that the movement through this one goes over, first to last; itself where it is in no junction.
@@ -272,7 +271,18 @@ impl<'a> Lane<'a> {
     /// Lanes that lead to the movement, and those before them as long as each follows one alone and begins less than 30 m before
     /// the junction; each with the distance from its end to the junction `[m]`.
     pub(super) fn approaches(&self) -> impl Iterator<Item = (Lane<'a>, f64)> + use<'a> {
-        self.entries().flat_map(|lane| lane.run(true, 0.0))
+        self.movement_start().led_to_by()
+    }
+
+    /// As `approaches`, of a movement that begins on this lane.
+    fn led_to_by(&self) -> impl Iterator<Item = (Lane<'a>, f64)> + use<'a> {
+        self.before().flat_map(|lane| lane.run(true, 0.0))
+    }
+
+    /// Lanes that lead to this one.
+    fn before(&self) -> impl Iterator<Item = Lane<'a>> + use<'a> {
+        let map = self.map;
+        self.predecessors().filter_map(move |id| Lane::new(map, id.row()))
     }
 
     /// As `approaches`, for lanes that the movement leads to: each with the distance from the junction to its beginning.
@@ -321,7 +331,7 @@ impl<'a> Lane<'a> {
             let begin = if forward { section.s_start() } else { section.s_end() };
             EntrySignal { distance: -start.length_between(begin, one.s_on(&start)), signal: one }
         });
-        let leading = self.approaches().flat_map(move |(lane, after)| {
+        let leading = start.led_to_by().flat_map(move |(lane, after)| {
             let section = lane.section();
             let end = if lane.is_forward() { section.s_end() } else { section.s_start() };
             lane.signals().filter(move |one| one.is_for(lane.is_forward())).map(move |one| {
