@@ -144,7 +144,7 @@ fn extent(borders: &mut [Line<'_>; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Exte
     extent
 }
 
-/// The larger of two numbers, `a` where `b` is none: one instruction where `max` looks for what is no number in both.
+/// The larger of two numbers, `a` where `b` is not a number: one instruction, where `max` looks at both for that.
 fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
