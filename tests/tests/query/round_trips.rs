@@ -216,3 +216,27 @@ fn a_foot_that_is_not_the_point_says_so() {
         assert_eq!(again.distance(point) < TOLERANCE, exact, "{point}: {found:?}");
     }
 }
+
+/// A road of one cubic, as SUMO writes a turn.
+const TURN: &str = "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/><road id=\"1\" length=\"5.2897899\" junction=\"-1\"><planView>\
+    <geometry s=\"0\" x=\"495.20500478\" y=\"385.81548171\" hdg=\"0.21325653\" length=\"5.2897899\">\
+    <paramPoly3 aU=\"0\" bU=\"6.81489426\" cU=\"-3.33844786\" dU=\"0\" aV=\"0\" bV=\"0\" cV=\"3.07268177\" dV=\"0\" pRange=\"normalized\"/></geometry></planView>\
+    <lanes><laneSection s=\"0\"><center><lane id=\"0\"/></center><right><lane id=\"-1\" type=\"driving\">\
+    <width sOffset=\"0\" a=\"3\" b=\"0\" c=\"0\" d=\"0\"/></lane></right></laneSection></lanes></road></OpenDRIVE>";
+
+/// Points beyond the end of a cubic were said to lie exactly at its s and t, up to metres away.
+#[test]
+fn points_beyond_a_cubic_are_clamped() {
+    let snapshot = mapd_tests::maps::open_text(TURN);
+    let road = snapshot.map().road_by_id("1").expect("there");
+    for (s, way, expected) in [(0.0, -1.0, Clamped::Before), (5.2897899, 1.0, Clamped::After)] {
+        for step in 1..=200 {
+            // Outside of the bend, where nothing is nearer than the end.
+            let (beyond, t) = (0.01 * f64::from(step), -0.015 * f64::from(step));
+            let pose = road.to_inertial(Track { s, t, h: 0.0 }).expect("a pose");
+            let ahead = way * beyond * DVec2::from_angle(pose.heading);
+            let found = road.to_track(pose.position.truncate() + ahead).expect("a foot");
+            assert_eq!((found.clamped, found.exact), (expected, false), "{step}: {found:?}");
+        }
+    }
+}
