@@ -48,6 +48,8 @@ mod promises;
 mod readme;
 // Sentences of the pages and of `--help` are short enough to be read once.
 mod sentences;
+// What is wrong in options and input is refused where it is, not dropped: rows that are too long, quotes, options of other formats.
+mod refusals;
 // What the program says of itself: help, completions and man pages.
 mod shell;
 mod shell_files;

@@ -31,6 +31,7 @@ fn no_command_writes_over_its_source() {
     let map = folder.path().join("map.xodr");
     let before = fs::read(&map).expect("the map");
     let absolute = map.display().to_string();
+    let lanelets = ["export", "map.xodr", "--format", "lanelet2", "--origin", "48,11"];
     for args in [
         &["compile", "map.xodr", "-o", "map.xodr"][..],
         &["compile", "map.xodr", "-o", "./map.xodr"],
@@ -40,6 +41,10 @@ fn no_command_writes_over_its_source() {
         &["compile", "map.xodr", "-o", "out.mapd", "--report", "./map.xodr"],
         &["compile", "map.xodr", "-o", "out.mapd", "--report", "link.xodr"],
         &["export", "map.xodr", "--format", "svg", "-o", "./map.xodr"],
+        &[&lanelets[..], &["-o", "out.mapd", "--report", "map.xodr"]].concat(),
+        &[&lanelets[..], &["-o", "out.mapd", "--report", "hard.xodr"]].concat(),
+        &[&lanelets[..], &["--report", "link.xodr"]].concat(),
+        &[&lanelets[..], &["-o", "out.mapd", "--report", "./out.mapd"]].concat(),
     ] {
         let output = run(folder.path(), args);
         assert_eq!(output.status.code(), Some(2), "{args:?}: {}", said(&output));

@@ -52,15 +52,31 @@ pub(crate) struct ExportCommand {
     opening: Opening,
 }
 
+/// An option that only some formats have.
+struct OptionOfFormats {
+    name: &'static str,
+    is_given: bool,
+    formats: &'static [Format],
+}
+
 impl ExportCommand {
     /// Writes the map.
     ///
-    /// Errors: wrong usage; the source cannot be opened; as [`write`]; a file cannot be written.
+    /// Errors: wrong usage, such as an option that the format does not have; the source cannot be opened; as [`write`]; a file cannot be written.
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
         let output = self.output.as_deref();
         if let Some(output) = output.filter(|file| is_same_file(file, self.source.as_ref())) {
             bail!(UsageError(format!("{} would overwrite its source", output.display())));
         }
+        let is_other = |report: &Path| {
+            let is_map = is_same_file(report, self.source.as_ref());
+            is_map || output.is_some_and(|output| is_same_file(report, output))
+        };
+        if self.report.as_deref().is_some_and(is_other) {
+            let message = "the report would overwrite the map; name another file with --report";
+            bail!(UsageError(message.to_owned()));
+        }
+        self.check_format()?;
         let manner = self.progress.manner();
         let opened = self.opening.open_with_findings(&self.source, manner)?;
         let Some(OpenedSource { snapshot, compilation }) = opened else {
@@ -86,6 +102,33 @@ impl ExportCommand {
         meter.finish();
         tell(&left_out, self.report.as_deref())?;
         Ok(Exit::Done)
+    }
+
+    /// The options that only some formats have.
+    fn options_of_formats(&self) -> [OptionOfFormats; 6] {
+        use Format::{FlatGeobuf, GeoJson, Lanelet2, Svg};
+        let one = |name, is_given, formats| OptionOfFormats { name, is_given, formats };
+        [
+            one("--index-boxes", self.index_boxes, &[Svg]),
+            one("--route", self.route.is_some(), &[Svg]),
+            one("--layers", !self.layers.is_empty(), &[GeoJson, FlatGeobuf]),
+            one("--origin", self.origin.is_some(), &[GeoJson, Lanelet2]),
+            one("--autoware", self.autoware, &[Lanelet2]),
+            one("--report", self.report.is_some(), &[Lanelet2]),
+        ]
+    }
+
+    /// Errors: an option that the format does not have.
+    fn check_format(&self) -> Result<()> {
+        let unfit = |one: &OptionOfFormats| one.is_given && !one.formats.contains(&self.format);
+        let Some(option) = self.options_of_formats().into_iter().find(unfit) else { return Ok(()) };
+        let formats: Vec<&str> = option.formats.iter().map(|format| format.name()).collect();
+        bail!(UsageError(format!(
+            "{} goes with --format {}, not with {}",
+            option.name,
+            formats.join(" or "),
+            self.format.name()
+        )))
     }
 }
 
