@@ -186,6 +186,25 @@ fn rules_are_graded_by_profile_and_file() {
     }
     for refused in ["mapd:no.such_rule", "mapd:compile.unusable", "mapd:xml.well_formed"] {
         std::fs::write(&file, format!("[rules]\n\"{refused}\" = \"off\"\n")).expect("written");
-        assert_eq!(check("a.xodr", text.as_bytes(), &["--rules", &path]).1, Some(1), "{refused}");
+        assert_eq!(check("a.xodr", text.as_bytes(), &["--rules", &path]).1, Some(2), "{refused}");
     }
+    for (wrong, said) in [
+        ("profile = \"strict\"\nsky = 1\n", "unknown field `sky`"),
+        ("\nmax_quarantined_share = 2.0\n", "expected a share from 0 to 1, found 2"),
+    ] {
+        std::fs::write(&file, wrong).expect("written");
+        let output = run(&mapd_tests::carried("one_road.xodr"), &["--rules", &path]);
+        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{errors}");
+        for part in [said, "line 2", &path] {
+            assert!(errors.contains(part), "{part:?} in {errors}");
+        }
+    }
+    let output = run(Path::new("a.xodr"), &["--max-quarantined-share", "2"]);
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{errors}");
+    assert!(
+        errors.contains("--max-quarantined-share") && errors.contains("from 0 to 1"),
+        "{errors}"
+    );
 }

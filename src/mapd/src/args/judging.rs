@@ -1,15 +1,17 @@
 //! Which rules apply, and what becomes of a map with errors: arguments and configuration file.
 
 use crate::args::finite;
+use crate::exit::UsageError;
 use crate::small_text;
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use mapd_compiler::{OnError, Policy, ReadOptions};
 use mapd_rules::{Grade, Profile, Settings};
 use mapd_xodr::Severity;
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Which rules apply, and how bad their findings are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Deserialize)]
@@ -55,7 +57,7 @@ pub(crate) struct JudgingArgs {
     max_quarantined: Option<usize>,
 
     /// Reject a map with a larger share of its roads' length in quarantine, from 0 to 1
-    #[arg(long, value_name = "SHARE", value_parser = finite)]
+    #[arg(long, value_name = "SHARE", value_parser = part_of_length)]
     max_quarantined_share: Option<f64>,
 }
 
@@ -66,6 +68,7 @@ struct Configuration {
     profile: Option<ProfileName>,
     on_error: Option<OnErrorName>,
     max_quarantined: Option<usize>,
+    #[serde(default, deserialize_with = "part_of_length_in_file")]
     max_quarantined_share: Option<f64>,
     /// Findings of one rule that are told one by one where they are no errors.
     max_findings: Option<u32>,
@@ -109,11 +112,15 @@ impl JudgingArgs {
                 .collect(),
             findings_of_a_rule: file.max_findings.unwrap_or(defaults.findings_of_a_rule),
         };
+        let wrong = |said: String| {
+            let file = self.rules.as_deref().unwrap_or_else(|| Path::new("--rules"));
+            UsageError(format!("{}: {said}", file.display()))
+        };
         if let Some(id) = rules.unknown().first() {
-            bail!("there is no rule {id}; docs/rules.md lists them");
+            bail!(wrong(format!("there is no rule {id}; docs/rules.md lists them")));
         }
         if let Some(rule) = rules.fixed().first() {
-            bail!("rule {} has one severity: {}", rule.id, rule.because);
+            bail!(wrong(format!("rule {} has one severity: {}", rule.id, rule.because)));
         }
         let on_error = match self.on_error.or(file.on_error) {
             None | Some(OnErrorName::Quarantine) => OnError::Quarantine,
@@ -121,9 +128,6 @@ impl JudgingArgs {
             Some(OnErrorName::ReferenceLine) => OnError::ReferenceLine,
         };
         let max_share = self.max_quarantined_share.or(file.max_quarantined_share);
-        if max_share.is_some_and(|share| !(0.0..=1.0).contains(&share)) {
-            bail!("expected a share from 0 to 1, found {}", max_share.unwrap_or_default());
-        }
         let max_parts = self.max_quarantined.or(file.max_quarantined);
         Ok(ReadOptions { rules, policy: Policy { on_error, max_parts, max_share }, ..reading })
     }
@@ -131,6 +135,26 @@ impl JudgingArgs {
     fn configuration(&self) -> Result<Configuration> {
         let Some(path) = &self.rules else { return Ok(Configuration::default()) };
         let text = small_text::read(path)?;
-        toml::from_str(&text).with_context(|| format!("reading {}", path.display()))
+        let wrong = |error| UsageError(format!("reading {}: {error}", path.display()));
+        Ok(toml::from_str(&text).map_err(wrong)?)
+    }
+}
+
+/// A share of the roads' length.
+///
+/// Errors: anything but a number from 0 to 1.
+fn part_of_length(text: &str) -> Result<f64, String> {
+    share(finite(text)?)
+}
+
+/// As [`part_of_length`], in the configuration file, whose place the error then names.
+fn part_of_length_in_file<'de, D: Deserializer<'de>>(file: D) -> Result<Option<f64>, D::Error> {
+    share(f64::deserialize(file)?).map(Some).map_err(D::Error::custom)
+}
+
+fn share(number: f64) -> Result<f64, String> {
+    match (0.0..=1.0).contains(&number) {
+        true => Ok(number),
+        false => Err(format!("expected a share from 0 to 1, found {number}")),
     }
 }
