@@ -296,8 +296,16 @@ fn alternatives_and_lanes_to_avoid() {
     let around = lines(&["--avoid", middle], asked);
     let other: Vec<&str> = around[0].split(',').nth(8).expect("lanes").split(';').collect();
     assert!(other.len() > 1 && !other.contains(&middle), "{around:?}");
-    let wrong = lines(&["--avoid", "nowhere:0:-1"], asked);
-    assert!(wrong[0].contains("--avoid nowhere:0:-1: no such lane"), "{wrong:?}");
+    for (key, why) in [("nowhere:0:-1", "no such lane"), ("1:0", "")] {
+        let output = run(&["query", &map, "route", "--avoid", key], &format!("{head}\n{asked}\n"));
+        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(
+            (output.status.code(), output.stdout.as_slice()),
+            (Some(2), &b""[..]),
+            "{errors}"
+        );
+        assert!(errors.contains(&format!("--avoid {key}: {why}")), "{errors}");
+    }
 }
 
 #[test]

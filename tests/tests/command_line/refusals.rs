@@ -45,3 +45,54 @@ fn options_that_do_not_fit_the_format() {
         );
     }
 }
+
+/// All rows behind it were taken for its text, with exit code 0.
+#[test]
+fn a_quote_that_is_not_closed() {
+    let map = town();
+    let said = "line 3: a quote opens that is not closed";
+    let rows = "x,y,name\n50,-1.75,a\n60,-1.75,\"open\n70,-1.75,b\n";
+    refuses(&["query", &map, "nearest"], rows, 2, said);
+    let trace = "time,x,y,name\n0,50,-1.75,\"a\nb\"\n1,60,-1.75,\"open\n2,70,-1.75,c\n";
+    refuses(&["match", &map], trace, 0, "line 4: a quote opens that is not closed");
+    // Quotes inside of fields, doubled ones and line ends between them are text.
+    let rows = "\u{feff}\"x\",y,name\n50,-1.75,\"a \"\"b\"\"\nc\"\n60,-1.75,5\" pipe\n";
+    let output = command::run(MAPD, &["query", &map, "nearest"], rows);
+    assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+}
+
+/// Time grew by the square of a number's length, and memory without bound.
+#[test]
+fn a_row_that_is_too_long() {
+    let map = town();
+    let long = "1".repeat(1 << 20);
+    let rows = format!("x,y\n50,-1.75\n{long},0\n60,-1.75\n");
+    refuses(&["query", &map, "nearest"], &rows, 2, "line 3: the row is longer than 1048576 bytes");
+    refuses(&["query", &map, "nearest"], &long, 0, "");
+    let trace = format!("time,x,y\n0,{long},0\n");
+    refuses(&["match", &map], &trace, 0, "line 2: the row is longer than 1048576 bytes");
+}
+
+/// Who reads no further wants no more, and no message.
+#[test]
+fn a_reader_who_has_gone() {
+    let map = town();
+    let rows = "x,y\n".to_owned() + &"50,-1.75\n".repeat(20_000);
+    let folder = tempfile::tempdir().expect("a folder");
+    let input = folder.path().join("rows.csv");
+    std::fs::write(&input, rows).expect("written");
+    for args in [
+        &["query", &map, "nearest"][..],
+        &["query", &map, "nearest", "--json"],
+        &["check", &map, "--json"],
+        &["export", &map, "--format", "svg"],
+    ] {
+        let mut command = Command::new(MAPD);
+        command.args(args).stdin(std::fs::File::open(&input).expect("opens"));
+        let mut child =
+            command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("ends");
+        assert_eq!((output.status.code(), errors(&output)), (Some(0), String::new()), "{args:?}");
+    }
+}

@@ -3,6 +3,7 @@
 use super::query::QueryRunError;
 use super::query::command::usage_of;
 use super::query::earth::Earth;
+use super::query::input::reader as rows_of;
 use super::query::kinds::{number, point_in};
 use super::query::output::{FormatArgs, Output};
 use super::query::row::Row;
@@ -93,8 +94,7 @@ fn answer(
     input: impl Read,
     output: Output<impl Write>,
 ) -> Result<(), QueryRunError> {
-    let mut reader =
-        csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
+    let mut reader = rows_of(input);
     let headers = reader.headers()?.clone();
     let has = |names: &[&str; 3]| names.iter().all(|name| headers.iter().any(|h| h == *name));
     if !NEEDS.iter().any(has) {

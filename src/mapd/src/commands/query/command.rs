@@ -1,5 +1,6 @@
 //! `mapd query` on the command line.
 
+use super::input::InputError;
 use super::output::FormatArgs;
 use super::{Asking, Kind, QueryRunError, RouteArgs, run_under};
 use crate::args::{Opening, lane_types, not_negative};
@@ -105,6 +106,11 @@ pub(in crate::commands) fn usage_of(error: QueryRunError) -> anyhow::Error {
         QueryRunError::Columns { .. } | QueryRunError::Options(_) => {
             UsageError(error.to_string()).into()
         }
-        other => anyhow::Error::new(other),
+        QueryRunError::Csv(error) if InputError::is_cause_of(&error) => {
+            UsageError(error.to_string()).into()
+        }
+        // As itself, so that a closed pipe is known as one.
+        QueryRunError::Csv(error) => error.into(),
+        QueryRunError::Io(error) => error.into(),
     }
 }

@@ -8,6 +8,7 @@ mod besides;
 pub(super) mod command;
 pub(super) mod earth;
 mod holes;
+pub(super) mod input;
 pub(super) mod kinds;
 mod landmarks;
 mod localising;
@@ -77,7 +78,8 @@ pub struct Asking<'a> {
 
 /// Answers every row of `input`.
 ///
-/// Errors: missing columns; reading or writing fails.
+/// Errors: missing columns; a lane to avoid that there is not; a quote that is not closed, a row beyond 1 MiB;
+/// reading or writing fails.
 pub fn run(
     map: Map<'_>,
     kind: Kind,
@@ -100,8 +102,7 @@ pub fn run_under(
 ) -> Result<(), QueryRunError> {
     let Asking { document, options, outline, route, format } = asking;
     let map = view.map();
-    let mut reader =
-        csv::ReaderBuilder::new().trim(csv::Trim::Headers).flexible(true).from_reader(input);
+    let mut reader = input::reader(input);
     let mut writer = output::Output::new(format, output);
     let headers = reader.headers()?.clone();
     let has = |names: &&[&str]| names.iter().all(|name| headers.iter().any(|h| h == *name));
@@ -121,6 +122,7 @@ pub fn run_under(
             },
         });
     }
+    let router = route::Router::new(route, view).map_err(QueryRunError::Options)?;
     // Where the map has holes, answers about places say which concern them.
     let tells_holes = kind.concerns_places() && map.quarantined().len() > 0;
     let mut answers = kind.answers().to_vec();
@@ -135,7 +137,7 @@ pub fn run_under(
     let mut record = csv::StringRecord::new();
     let mut answer = Vec::new();
     let mut tools = Tools {
-        router: route::Router::new(route, view),
+        router,
         paths: path::Paths::default(),
         earth: earth::Earth::new(map),
         holes: holes::Holes::new(map, document),

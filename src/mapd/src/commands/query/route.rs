@@ -95,25 +95,26 @@ pub(crate) struct Router<'a> {
     scratch: RouteScratch,
     routes: Routes,
     steps: Vec<RouteStep>,
-    /// Lanes that are not entered, and the first that there is none of.
-    avoid: Result<Vec<LaneId>, String>,
+    /// Lanes that are not entered.
+    avoid: Vec<LaneId>,
 }
 
 impl<'a> Router<'a> {
-    pub(crate) fn new(args: &'a RouteArgs, view: View<'a>) -> Self {
+    /// Errors: there is no lane of a key that is to be avoided.
+    pub(crate) fn new(args: &'a RouteArgs, view: View<'a>) -> Result<Self, String> {
         let lane = |key: &String| {
             let parsed = key.parse().map_err(|error| format!("--avoid {key}: {error}"))?;
             let lane = view.map().lane_by_key(&parsed);
             lane.map(|lane| lane.lane_id()).ok_or_else(|| format!("--avoid {key}: no such lane"))
         };
-        Self {
+        Ok(Self {
             args,
             view,
             scratch: RouteScratch::default(),
             routes: Routes::default(),
             steps: Vec::new(),
-            avoid: args.avoid.iter().map(lane).collect(),
-        }
+            avoid: args.avoid.iter().map(lane).collect::<Result<_, _>>()?,
+        })
     }
 
     /// The map, under what is laid over it if that is heeded.
@@ -191,7 +192,6 @@ impl<'a> Router<'a> {
         cost: &impl RouteCost,
     ) -> Result<Option<Route>, String> {
         let Self { args, view, scratch, routes, steps, avoid } = self;
-        let avoid = avoid.as_ref().map_err(Clone::clone)?;
         let (starts, goals) = ([from.into()], [to.into()]);
         let vehicle = args.vehicle;
         let request = RouteRequest { starts: &starts, goals: &goals, vehicle, cost, avoid };
