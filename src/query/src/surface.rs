@@ -7,7 +7,7 @@ use crate::lane::Lane;
 use crate::map::Map;
 use crate::profile::{self, At, Slope};
 use crate::road::{JOINT, Road};
-use crate::types::Clamped;
+use crate::types::{Clamped, is_coordinate};
 use glam::{DVec2, DVec3};
 use mapd_archive::{
     ArchivedCubicRow, ArchivedShapeStationRow, ArchivedSurfaceRow, ArchivedSurfaceStripRow, Range,
@@ -144,7 +144,7 @@ impl<'a> Road<'a> {
     /// Heights above the plane h = 0 are measured along its normal; from a level lane's inner edge outwards the surface
     /// keeps that edge's height. Beside all lanes the lateral profiles go on.
     ///
-    /// Errors: coordinates that are not finite; a damaged archive.
+    /// Errors: coordinates that are not finite, or a t beyond 10⁹ m; a damaged archive.
     pub fn surface_at(&self, s: f64, t: f64) -> Result<Surface<'a>, QueryError> {
         self.surface_on(s, t, None)
     }
@@ -156,7 +156,7 @@ impl<'a> Road<'a> {
         t: f64,
         lane: Option<Lane<'a>>,
     ) -> Result<Surface<'a>, QueryError> {
-        if !(s.is_finite() && t.is_finite()) {
+        if !(s.is_finite() && is_coordinate(t)) {
             return Err(QueryError::NotFinite);
         }
         let end = self.reference_end().max(0.0);

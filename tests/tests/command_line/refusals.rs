@@ -73,6 +73,25 @@ fn a_row_that_is_too_long() {
     refuses(&["match", &map], &trace, 0, "line 2: the row is longer than 1048576 bytes");
 }
 
+/// What no place and no distance can be is an error in its row.
+#[test]
+fn numbers_that_mean_nothing() {
+    let map = town();
+    for (kind, rows, said) in [
+        ("signals", "road_id,s,lane_id,distance\n1,0,-1,-5\n", "distance must not be negative"),
+        ("surface", "road_id,s,t\n1,5,1e308\n", "not finite numbers of at most 1e9"),
+        (
+            "match",
+            "x,y,hdg,sx,sy,shdg\n50,-1.75,1e300,1,1,1\n",
+            "heading of the pose is not a finite number of at most 1e9",
+        ),
+    ] {
+        let output = command::run(MAPD, &["query", &map, kind], rows);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(text.lines().nth(1).is_some_and(|row| row.contains(said)), "{kind}: {text}");
+    }
+}
+
 /// Who reads no further wants no more, and no message.
 #[test]
 fn a_reader_who_has_gone() {

@@ -13,8 +13,8 @@ const ROUNDING: f64 = 1e-9;
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum MatchError {
-    /// A part of the pose is not a finite number.
-    #[error("{0} of the pose is not a finite number")]
+    /// A part of the pose is not a finite number, or beyond 10⁹ (m, or rad).
+    #[error("{0} of the pose is not a finite number of at most 1e9")]
     Pose(&'static str),
     /// An entry of the covariance is not a finite number.
     #[error("covariance[{0}][{1}] is not a finite number")]

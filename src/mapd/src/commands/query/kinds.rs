@@ -314,7 +314,7 @@ impl Kind {
             Self::Signals => {
                 let (lane, s) = lane(holes, map, row)?;
                 let from = PositionOnLane { lane: lane.lane_id(), s };
-                signals::answer(router, from, row.number("distance")?, out)?;
+                signals::answer(router, from, row.not_negative("distance")?, out)?;
             }
             Self::Annotations => besides::annotations(map, holes, row, out)?,
             Self::Visibility => {

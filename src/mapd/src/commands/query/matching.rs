@@ -64,10 +64,7 @@ fn place(row: &Row<'_>) -> Result<DVec2, String> {
 
 /// Standard deviations of x, y and heading.
 fn deviations(row: &Row<'_>) -> Result<DVec3, String> {
-    let one = |name: &str| match row.number(name)? {
-        number if number >= 0.0 => Ok(number),
-        number => Err(format!("{name} must not be negative, found {number:?}")),
-    };
+    let one = |name: &str| row.not_negative(name);
     Ok(DVec3::new(one("sx")?, one("sy")?, one("shdg")?))
 }
 

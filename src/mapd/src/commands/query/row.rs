@@ -49,11 +49,15 @@ impl<'a> Row<'a> {
     /// A point and a radius that is not negative, from the columns x, y and radius.
     pub(crate) fn circle(&self) -> Result<(DVec2, f64), String> {
         let point = DVec2::new(self.number("x")?, self.number("y")?);
-        let radius = self.number("radius")?;
-        if radius < 0.0 {
-            return Err(format!("radius must not be negative, found {radius:?}"));
+        Ok((point, self.not_negative("radius")?))
+    }
+
+    /// A finite number that is not negative.
+    pub(crate) fn not_negative(&self, name: &str) -> Result<f64, String> {
+        match self.number(name)? {
+            number if number < 0.0 => Err(format!("{name} must not be negative, found {number:?}")),
+            number => Ok(number),
         }
-        Ok((point, radius))
     }
 
     /// A lane number.
