@@ -196,7 +196,13 @@ fn keys_that_cannot_be_used_are_named() {
     assert!(matches!(parsed, Err(TrustError::Key { name, .. }) if name == "here"));
     let output =
         signed.run(&["sign", &signed.archive(), "--key", &signed.path("ours.pub")], Some(1));
-    assert!(said(&output).contains("ours.pub"), "{}", said(&output));
+    assert!(said(&output).contains("ours.pub is a public key"), "{}", said(&output));
+    for (name, text) in [("rows.csv", "x,y\n1,2\n"), ("empty", ""), ("short", "\nRWQ=\n")] {
+        std::fs::write(signed.path(name), text).expect("written");
+        let output = signed.run(&["sign", &signed.archive(), "--key", &signed.path(name)], Some(1));
+        let expected = format!("{name} is no minisign secret key");
+        assert!(said(&output).contains(&expected), "{}", said(&output));
+    }
 }
 
 #[test]

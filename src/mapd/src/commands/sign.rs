@@ -17,6 +17,11 @@ use std::path::{Path, PathBuf};
 /// Environment variable of the secret key's password, for where nobody can type it.
 const PASSWORD_VARIABLE: &str = "MAPD_SIGN_PASSWORD";
 
+/// Length of a secret key \[bytes\]: names of algorithms, limits of the password's hash, key and checksum.
+const SECRET_BYTES: usize = 158;
+/// Length of a public key \[bytes\]: name of the algorithm, number and key.
+const PUBLIC_BYTES: usize = 42;
+
 /// What to sign.
 #[derive(Args)]
 pub(crate) struct SignCommand {
@@ -147,7 +152,14 @@ fn write(
 fn secret_key(path: &Path) -> Result<SecretKey> {
     let name = path.display();
     let text = std::fs::read_to_string(path).with_context(|| format!("reading {name}"))?;
-    if let Some(key) = without_password(&text) {
+    let Some(key) = as_secret(&text) else {
+        match text.lines().any(is_public) {
+            true => bail!("{name} is a public key; --key takes the secret key that belongs to it"),
+            false => bail!("{name} is no minisign secret key"),
+        }
+    };
+    // Those of `minisign -G -W` have no checksum, which the crate would ask for.
+    if !key.is_encrypted() {
         return Ok(key);
     }
     let password = match std::env::var(PASSWORD_VARIABLE) {
@@ -163,8 +175,14 @@ fn secret_key(path: &Path) -> Result<SecretKey> {
         .with_context(|| format!("{name}: no minisign secret key, or another password"))
 }
 
-/// A key that needs no password. Those of `minisign -G -W` have no checksum, which the crate would ask for.
-fn without_password(text: &str) -> Option<SecretKey> {
+/// What a text says as a secret key, which may be encrypted.
+fn as_secret(text: &str) -> Option<SecretKey> {
     let bytes = Base64::decode_to_vec(text.lines().nth(1)?.trim(), None).ok()?;
-    SecretKey::from_bytes(&bytes).ok().filter(|key| !key.is_encrypted())
+    (bytes.len() == SECRET_BYTES).then(|| SecretKey::from_bytes(&bytes).ok())?
+}
+
+/// Whether a line is a public key: of an Ed25519 key, by its length and first letters.
+fn is_public(line: &str) -> bool {
+    let bytes = Base64::decode_to_vec(line.trim(), None);
+    bytes.is_ok_and(|bytes| bytes.len() == PUBLIC_BYTES && bytes.starts_with(b"Ed"))
 }
