@@ -112,6 +112,13 @@ fn a_killed_daemon_leaves_readers_right_and_its_successor_reaches_them() {
     daemon.kill();
     before.verify().expect("the archive is whole");
     assert_eq!(ask(&client), ANSWER);
+    for asked in [&["reload", "town"][..], &["overlay", "town", "list"]] {
+        let output = place.command().args(asked).output().expect("ends");
+        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(1), "{asked:?}: {errors}");
+        assert!(errors.contains("its daemon was killed"), "{asked:?}: {errors}");
+        assert!(errors.contains("mapd --load FILE --name town"), "{asked:?}: {errors}");
+    }
     let _successor = place.serve(&[&town()]);
     let after = client.wait_next(PATIENCE).expect("the next generation comes");
     assert!(after.generation() > before.generation());

@@ -23,6 +23,14 @@ pub enum AskError {
         /// Maps that are served now.
         served: Vec<String>,
     },
+    /// The map's daemon ended without cleaning up, as if killed.
+    #[error(
+        "map {map:?}: its daemon was killed; readers keep what they hold; start it again: mapd --load FILE --name {map}"
+    )]
+    Killed {
+        /// The map.
+        map: String,
+    },
     /// No answer arrived within the wait; the request may still be carried out.
     #[error(
         "map {map:?}: no answer within {} s; the daemon goes on with what was asked, `mapd status` tells what became of it",
@@ -67,10 +75,15 @@ fn which(map: &str, served: &[String]) -> String {
     format!("served are {}{meant}", served.join(", "))
 }
 
-/// Other maps that have a daemon: that of the one asked for may be ending. Who cannot see the domain sees none.
-fn others_served(domain: &Domain, map: &str) -> Vec<String> {
+/// Why nobody answers for a map. Who cannot see the domain sees no maps.
+fn no_daemon(domain: &Domain, map: String) -> AskError {
     let maps = list_maps(domain).unwrap_or_default();
-    maps.into_iter().filter(|one| one.alive && one.name != map).map(|one| one.name).collect()
+    if maps.iter().any(|one| !one.alive && one.name == map) {
+        return AskError::Killed { map };
+    }
+    // The daemon of the one asked for may be ending.
+    let others = maps.into_iter().filter(|one| one.alive && one.name != map);
+    AskError::NoDaemon { served: others.map(|one| one.name).collect(), map }
 }
 
 /// Asks the daemon that serves `map`, and waits for its answer at most so long.
@@ -85,9 +98,7 @@ pub fn ask(
     let fail = |error: io::Error| {
         let map = map.to_owned();
         match error.kind() {
-            io::ErrorKind::NotFound | io::ErrorKind::ConnectionRefused => {
-                AskError::NoDaemon { served: others_served(domain, &map), map }
-            }
+            io::ErrorKind::NotFound | io::ErrorKind::ConnectionRefused => no_daemon(domain, map),
             io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => AskError::Late { map, wait },
             io::ErrorKind::BrokenPipe
             | io::ErrorKind::ConnectionReset
