@@ -376,10 +376,10 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   }
   /// Waits at most `wait_s` [s] for another generation or another overlay. Returns whether one has come.
   Result<bool> try_wait_change(double wait_s) const {
-    const auto out =
+    const auto found =
         detail::value<std::uint8_t>([&](auto... out) { return mapd_client_wait_change(get(), wait_s, out...); });
-    if (!out) return out.error();
-    return *out != 0;
+    if (!found) return found.error();
+    return *found != 0;
   }
   /// Waits at most `wait_s` [s] for the generation with this number.
   Result<Snapshot> try_require(std::uint64_t generation, double wait_s) const {
@@ -476,3 +476,14 @@ MAPD_ID(mapd_node_id)
 MAPD_ID(mapd_signal_id)
 MAPD_ID(mapd_object_id)
 #undef MAPD_ID
+constexpr bool operator==(const mapd_placement_id& a, const mapd_placement_id& b) noexcept {
+  return a.object == b.object && a.copy == b.copy;
+}
+constexpr bool operator!=(const mapd_placement_id& a, const mapd_placement_id& b) noexcept { return !(a == b); }
+template <>
+struct std::hash<mapd_placement_id> {
+  std::size_t operator()(const mapd_placement_id& id) const noexcept {
+    // The object's hash has row and content; an odd factor spreads its copies.
+    return std::hash<mapd_object_id>()(id.object) ^ std::hash<std::uint64_t>()(id.copy * 0x9e3779b97f4a7c15U);
+  }
+};

@@ -82,6 +82,12 @@ int main(int argc, char** argv) {
   CHECK(lanes && lanes->size() > 16);  // more than a list begins with
   std::unordered_set<mapd::LaneId> all(lanes->begin(), lanes->end());
   CHECK(all.size() == lanes->size() && all.count(lane) == 1);
+  const mapd::Region everywhere{{-1e6, -1e6}, {1e6, 1e6}};
+  const auto places_of_objects = other->try_objects_in(everywhere, scratch);
+  CHECK(places_of_objects && places_of_objects->size() > 1);
+  const std::unordered_set<mapd::PlacementId> placed_once(places_of_objects->begin(), places_of_objects->end());
+  CHECK(placed_once.size() == places_of_objects->size());
+  CHECK((*places_of_objects)[0] == (*places_of_objects)[0] && (*places_of_objects)[0] != (*places_of_objects)[1]);
   const auto waypoints = map.try_waypoints(lane, 0.5);
   CHECK(waypoints && waypoints->size() > 16);
   CHECK(map.try_waypoints(lane, 0.0).code() == MAPD_CODE_NOT_FINITE);
@@ -119,7 +125,12 @@ int main(int argc, char** argv) {
   const auto along = map.try_signals_along(*steps, scratch);
   CHECK(along && along->size() <= map.try_signals()->size());
   const auto rules = map.try_right_of_way_by(lane, "DE");
-  CHECK(rules && rules->size() == map.try_right_of_way(lane)->size());
+  CHECK(rules && *rules && (*rules)->size() == map.try_right_of_way(lane)->size());
+  // A country whose rules are not known is not one by whose rules nobody is to be yielded to.
+  for (const char* country : {"DEU", "XX", ""}) {
+    const auto unknown = map.try_right_of_way_by(lane, country);
+    CHECK(unknown && !*unknown);
+  }
   CHECK(*map.try_overlay_revision() == 0);
   const auto near = map.try_quarantined_near({50.0, -1.75}, 10.0);
   CHECK(near && near->size() <= map.try_quarantined_parts()->size());
@@ -168,10 +179,10 @@ int main(int argc, char** argv) {
     CHECK(held.has_value());
     if (!held) return 1;
     bytes = {};
-    const auto first = held->try_nearest_lane({5.0, -1.75});
-    CHECK(first && *first);
-    if (!first || !*first) return 1;
-    const mapd::LaneId only[] = {(*first)->lane};
+    const auto there = held->try_nearest_lane({5.0, -1.75});
+    CHECK(there && *there);
+    if (!there || !*there) return 1;
+    const mapd::LaneId only[] = {(*there)->lane};
     auto built = held->try_path(*held->try_steps_of_lanes(only, 1.0, 9.0, scratch));
     auto today = held->try_view(0.0);
     auto projected = held->try_projector();

@@ -355,8 +355,9 @@ Result<std::optional<T>> optional(F call) {
   return failed(code, error);
 }
 
+/// A list, or none where there is nothing to list: an unknown country, a section that the road does not have.
 template <class T, class F>
-Result<std::vector<T>> list(F call) {
+Result<std::optional<std::vector<T>>> optional_list(F call) {
   std::vector<T> out(16);
   mapd_error error;
   for (;;) {
@@ -366,10 +367,18 @@ Result<std::vector<T>> list(F call) {
       out.resize(count);
       continue;
     }
-    if (code != MAPD_CODE_OK && code != MAPD_CODE_NONE) return failed(code, error);
-    out.resize(code == MAPD_CODE_OK ? count : 0);
-    return out;
+    if (code == MAPD_CODE_NONE) return std::optional<std::vector<T>>();
+    if (code != MAPD_CODE_OK) return failed(code, error);
+    out.resize(count);
+    return std::optional<std::vector<T>>(std::move(out));
   }
+}
+
+template <class T, class F>
+Result<std::vector<T>> list(F call) {
+  auto found = optional_list<T>(call);
+  if (!found) return found.error();
+  return (*std::move(found)).value_or(std::vector<T>());
 }
 
 /// What a batch came to: nothing, or why it failed.

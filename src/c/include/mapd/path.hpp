@@ -33,9 +33,9 @@ class Path : public detail::Owner<mapd_path, mapd_path_close> {
   }
   /// Whether some joint is broken.
   Result<bool> try_is_broken() const {
-    const auto out = detail::value<std::uint8_t>([&](auto... out) { return mapd_path_is_broken(get(), out...); });
-    if (!out) return out.error();
-    return *out != 0;
+    const auto found = detail::value<std::uint8_t>([&](auto... out) { return mapd_path_is_broken(get(), out...); });
+    if (!found) return found.error();
+    return *found != 0;
   }
   /// The lanes that are driven on.
   Result<std::vector<PathLane>> try_lanes() const {

@@ -193,9 +193,9 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
 
   /// OpenDRIVE's id of a road; it points into the snapshot.
   Result<std::string_view> try_road_name_id(RoadId road) const {
-    const auto out = detail::value<mapd_text>([&](auto... out) { return mapd_road_name_id(get(), road, out...); });
-    if (!out) return out.error();
-    return view(*out);
+    const auto text = detail::value<mapd_text>([&](auto... out) { return mapd_road_name_id(get(), road, out...); });
+    if (!text) return text.error();
+    return view(*text);
   }
 
   /// Inertial pose of a track position.
@@ -233,7 +233,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::optional<LaneId>([&](auto... out) { return mapd_road_lane_numbered(get(), road, s, number, out...); });
   }
 
-  /// Lanes of a section from left to right.
+  /// Lanes of a section from left to right, lane 0 among them; nothing for a section that the road does not have.
   Result<std::vector<LaneId>> try_section_lanes(RoadId road, std::uint32_t section) const {
     return detail::list<LaneId>([&](auto... out) { return mapd_road_section_lanes(get(), road, section, out...); });
   }
@@ -555,8 +555,8 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   }
 
   /// The same by the rules of a country where the file does not say; none for a country whose rules are not known.
-  Result<std::vector<RightOfWay>> try_right_of_way_by(LaneId lane, const std::string& country) const {
-    return detail::list<RightOfWay>([&](auto... out) { return mapd_lane_right_of_way_by(get(), lane, country.c_str(), out...); });
+  Result<std::optional<std::vector<RightOfWay>>> try_right_of_way_by(LaneId lane, const std::string& country) const {
+    return detail::optional_list<RightOfWay>([&](auto... out) { return mapd_lane_right_of_way_by(get(), lane, country.c_str(), out...); });
   }
 
   /// The lanes on which traffic comes to a conflict of a path.
@@ -625,7 +625,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::optional<LaneLine> movement_stop(LaneId lane) const { return try_movement_stop(lane).value(); }
   std::vector<LaneLine> lane_lines(LaneId lane, std::uint32_t which) const { return try_lane_lines(lane, which).value(); }
   std::vector<RightOfWay> right_of_way(LaneId lane) const { return try_right_of_way(lane).value(); }
-  std::vector<RightOfWay> right_of_way_by(LaneId lane, const std::string& country) const { return try_right_of_way_by(lane, country).value(); }
+  std::optional<std::vector<RightOfWay>> right_of_way_by(LaneId lane, const std::string& country) const { return try_right_of_way_by(lane, country).value(); }
   std::vector<ConflictApproach> approaches(const PathConflict& conflict, double distance, std::uint8_t vehicle, Scratch& scratch) const { return try_approaches(conflict, distance, vehicle, scratch).value(); }
   std::vector<SignalLink> signal_links(SignalId signal, std::uint32_t which) const { return try_signal_links(signal, which).value(); }
   std::vector<Controller> controllers() const { return try_controllers().value(); }
@@ -691,12 +691,14 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::value<std::uint64_t>([&](auto... out) { return mapd_snapshot_overlay_revision(get(), out...); });
   }
 
-  /// All bridges and tunnels.
+  /// A country of a path's fact, as the file writes it; it points into the snapshot.
   Result<std::optional<std::string_view>> try_country(std::uint32_t number) const {
-    const auto out = detail::optional<mapd_text>([&](auto... out) { return mapd_country(get(), number, out...); });
-    if (!out) return out.error();
-    return *out ? std::optional(view(**out)) : std::nullopt;
+    const auto text = detail::optional<mapd_text>([&](auto... out) { return mapd_country(get(), number, out...); });
+    if (!text) return text.error();
+    return *text ? std::optional(view(**text)) : std::nullopt;
   }
+
+  /// All bridges and tunnels.
   Result<std::vector<Structure>> try_structures() const {
     return detail::list<Structure>([&](auto... out) { return mapd_structures(get(), out...); });
   }
