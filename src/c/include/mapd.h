@@ -4966,7 +4966,7 @@ mapd_code mapd_lane_waypoint_at(const struct mapd_snapshot *snapshot,
 /*
  Waypoints in driving direction, `step` [m] of s apart, from where the lane is entered to where it is left; both ends are among them.
 
- Errors: `MAPD_CODE_NOT_FINITE` for a step that is not a positive finite number.
+ Errors: `MAPD_CODE_NOT_FINITE` for a step that is not a positive finite number; `MAPD_CODE_ARGUMENT` for one that gives more than a million.
  */
 mapd_code mapd_lane_waypoints(const struct mapd_snapshot *snapshot,
                               struct mapd_lane_id lane,
@@ -5722,8 +5722,8 @@ mapd_code mapd_steps_length(const struct mapd_snapshot *snapshot,
  The room along the path from S, `from` [m], on: a station every `step` [m] and one at the end, `length` [m] on or where the path ends.
  `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
 
- Errors: `MAPD_CODE_NOT_FINITE`, also for a step that is not positive or gives more than a million stations; `MAPD_CODE_ARGUMENT` for an
- unknown class.
+ Errors: `MAPD_CODE_NOT_FINITE` of `from` and `length`; `MAPD_CODE_ARGUMENT` for a step that is not positive or gives more than a million stations,
+ and for an unknown class.
  */
 mapd_code mapd_path_corridor(const struct mapd_path *path,
                              double from,

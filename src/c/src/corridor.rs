@@ -126,8 +126,8 @@ pub(crate) fn stations(room: &Corridor) -> impl Iterator<Item = mapd_corridor_st
 /// The room along the path from S, `from` \[m\], on: a station every `step` \[m\] and one at the end, `length` \[m\] on or where the path ends.
 /// `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
 ///
-/// Errors: `MAPD_CODE_NOT_FINITE`, also for a step that is not positive or gives more than a million stations; `MAPD_CODE_ARGUMENT` for an
-/// unknown class.
+/// Errors: `MAPD_CODE_NOT_FINITE` of `from` and `length`; `MAPD_CODE_ARGUMENT` for a step that is not positive or gives more than a million stations,
+/// and for an unknown class.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_path_corridor(
     path: *const mapd_path,

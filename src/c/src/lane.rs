@@ -221,7 +221,7 @@ pub unsafe extern "C" fn mapd_lane_waypoint_at(
 
 /// Waypoints in driving direction, `step` \[m\] of s apart, from where the lane is entered to where it is left; both ends are among them.
 ///
-/// Errors: `MAPD_CODE_NOT_FINITE` for a step that is not a positive finite number.
+/// Errors: `MAPD_CODE_NOT_FINITE` for a step that is not a positive finite number; `MAPD_CODE_ARGUMENT` for one that gives more than a million.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_lane_waypoints(
     snapshot: *const mapd_snapshot,
@@ -234,16 +234,8 @@ pub unsafe extern "C" fn mapd_lane_waypoints(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let mut failed: Option<QueryError> = None;
-            let all = lane_of(snapshot, lane)?.waypoints(step)?.map_while(|one| match one {
-                Ok(waypoint) => Some(waypoint.into()),
-                Err(error) => {
-                    failed = Some(error);
-                    None
-                }
-            });
-            let code = List { out, capacity, count }.write(all)?;
-            failed.map_or(Ok(code), |error| Err(error.into()))
+            let all = lane_of(snapshot, lane)?.waypoints(step)?;
+            List { out, capacity, count }.write_counted(all.map(|one| one.map(Into::into)))
         })
     }
 }

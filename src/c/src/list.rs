@@ -218,6 +218,28 @@ impl<T> List<T> {
         unsafe { self.count.write(count) };
         Ok(if count > self.capacity { mapd_code::TOO_SMALL } else { mapd_code::OK })
     }
+
+    /// As [`List::write`], of entries whose number is known: none is looked at that there is no room for. The first error ends it.
+    ///
+    /// # Safety
+    ///
+    /// As [`List::write`].
+    pub(crate) unsafe fn write_counted<E: Into<Failure>>(
+        self,
+        all: impl ExactSizeIterator<Item = Result<T, E>>,
+    ) -> Outcome {
+        let (capacity, count, there_are) = (self.capacity, self.count, all.len());
+        let mut failed = None;
+        let fitting = all.take(capacity).map_while(|one| one.map_err(|e| failed = Some(e)).ok());
+        // SAFETY: as promised above.
+        let code = unsafe { self.write(fitting) }?;
+        if let Some(error) = failed {
+            return Err(error.into());
+        }
+        // SAFETY: written to before, thus valid.
+        unsafe { count.write(there_are) };
+        Ok(if there_are > capacity { mapd_code::TOO_SMALL } else { code })
+    }
 }
 
 /// Writes an answer for each of the caller's questions; those before one that has none stay written, and the error has its number.

@@ -121,6 +121,9 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_TOO_SMALL, mapd_lane_waypoints(map, hit.lane, 1.0, &waypoint, 1, &count, &error));
   EXPECT(MAPD_CODE_TOO_SMALL, mapd_lane_waypoints(map, hit.lane, 1.0, NULL, 0, &count, &error));
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_lane_waypoints(map, hit.lane, 1.0, NULL, 3, &count, &error));
+  /* A step that gives too many is refused before any is looked at, and those that only count are not looked at either. */
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_waypoints(map, hit.lane, 1e-9, NULL, 0, &count, &error));
+  if (strstr(error.message, "step") == NULL) ++failures;
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_lane_waypoints(map, hit.lane, 1.0, &waypoint, 1, NULL, &error));
   mapd_waypoint *exact = malloc(count * sizeof *exact);
   EXPECT(MAPD_CODE_OK, mapd_lane_waypoints(map, hit.lane, 1.0, exact, count, &count, &error));
@@ -190,6 +193,8 @@ int main(int argc, char **argv) {
   mapd_path_close(&path);
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_length(path, &number, &error));
 
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_corridor(path, 0.0, 1.0, 1e-9, 0, scratch, &station, 1, &count, &error));
+  EXPECT(MAPD_CODE_TOO_SMALL, mapd_path_corridor(path, 0.0, 1e9, 0.5, 0, scratch, &station, 1, &count, &error));
   mapd_path_options path_options;
   EXPECT(MAPD_CODE_ARGUMENT, mapd_path_options_init(&path_options, 1, &error));
   EXPECT(MAPD_CODE_OK, mapd_path_options_init(&path_options, sizeof path_options, &error));

@@ -91,6 +91,8 @@ int main(int argc, char** argv) {
   const auto waypoints = map.try_waypoints(lane, 0.5);
   CHECK(waypoints && waypoints->size() > 16);
   CHECK(map.try_waypoints(lane, 0.0).code() == MAPD_CODE_NOT_FINITE);
+  CHECK(map.try_waypoints(lane, 1e-9).code() == MAPD_CODE_ARGUMENT);
+  CHECK(map.try_width_at(answers[1].lane, 0.0).code() == MAPD_CODE_ARGUMENT);
 
   const mapd::Cost cost{MAPD_COST_LENGTH, MAPD_VEHICLE_CLASS_PASSENGER_CAR, 20.0};
   const mapd::PositionOnLane places[] = {{lane, 10.0}, {lane, 40.0}};

@@ -6,6 +6,9 @@ use crate::types::{Clamped, Pose};
 use glam::DVec3;
 use mapd_geometry::normalize_angle;
 
+/// Places of one answer at most: a step that is too small for its length must not fill the memory.
+pub(crate) const MOST_STATIONS: f64 = 1e6;
+
 /// A place on a lane's centre line.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,35 +54,39 @@ impl<'a> Lane<'a> {
     }
 
     /// Waypoints in driving direction, `step` metres of s apart, from where the lane is entered to where it is left; both
-    /// ends are among them, the last step may be shorter. None for lane 0.
+    /// ends are among them, the last step may be shorter. None for lane 0. Their number is known before any is looked at.
     ///
-    /// Errors: a step that is not a positive finite number.
+    /// Errors: a step that is not a positive finite number, or gives more than a million of them.
     pub fn waypoints(
         &self,
         step: f64,
-    ) -> Result<impl Iterator<Item = Result<Waypoint, QueryError>> + use<'a>, QueryError> {
+    ) -> Result<impl ExactSizeIterator<Item = Result<Waypoint, QueryError>> + use<'a>, QueryError>
+    {
         if !(step.is_finite() && step > 0.0) {
             return Err(QueryError::NotFinite);
         }
         let lane = *self;
         let (start, end) = (self.section().s_start(), self.section().s_end());
         let length = if self.number() == 0 { -1.0 } else { end - start };
+        if length / step > MOST_STATIONS {
+            return Err(QueryError::Option("step"));
+        }
         let forward = self.is_forward();
-        let mut next = 0u64;
-        let mut ended = length < 0.0;
-        Ok(std::iter::from_fn(move || {
-            if ended {
-                return None;
-            }
-            let gone = next as f64 * step;
-            next += 1;
-            let gone = if gone >= length {
-                ended = true;
-                length
-            } else {
-                gone
-            };
-            Some(lane.waypoint_at(if forward { start + gone } else { end - gone }))
+        let count = if length < 0.0 { 0 } else { steps_to(length, step) + 1 };
+        Ok((0..count).map(move |number| {
+            let gone = f64::from(number) * step;
+            let gone = if gone < length { gone } else { length };
+            lane.waypoint_at(if forward { start + gone } else { end - gone })
         }))
     }
+}
+
+/// The least number of steps that are not shorter than a length together, each multiplied as its place is.
+fn steps_to(length: f64, step: f64) -> u32 {
+    // Dividing rounds otherwise than multiplying: by one step at most.
+    let near = (length / step).ceil() as u32;
+    let first = near.saturating_sub(1);
+    (first..near)
+        .find(|number| f64::from(*number) * step >= length)
+        .unwrap_or_else(|| if f64::from(near) * step >= length { near } else { near + 1 })
 }

@@ -1,6 +1,7 @@
 //! The room along a path: marks, what lies beyond, speed, surface, outline.
 
 use crate::paths::each_path;
+use mapd_client::QueryError;
 use mapd_client::glam::DVec2;
 use mapd_client::vocabulary::{RoadMarkKind, VehicleClass};
 use mapd_query::path::{
@@ -177,4 +178,18 @@ fn what_lies_beyond_an_edge() {
         let told = [room.left_mark[1].edge, room.right_mark[1].edge];
         assert_eq!(told, [EdgeKind::RoadEnd, edge], "{lanes}");
     }
+}
+
+/// Stations are counted up to where the path ends: a length that means "to the end" is not refused for what lies beyond.
+#[test]
+fn stations_are_counted_on_the_path_alone() {
+    each_path(|_, path, _, name, _| {
+        let (mut whole, mut room) = (Corridor::default(), Corridor::default());
+        let step = path.length() / 20.0;
+        path.corridor(0.0, path.length(), step, CAR, &mut whole).expect("a corridor");
+        path.corridor(0.0, f64::MAX, step, CAR, &mut room).expect("a corridor");
+        assert_eq!(room.along, whole.along, "{name}");
+        let refused = path.corridor(0.0, f64::MAX, path.length() * 1e-9, CAR, &mut room);
+        assert_eq!(refused, Err(QueryError::Option("step")), "{name}");
+    });
 }

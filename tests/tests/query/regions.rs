@@ -2,7 +2,8 @@
 
 use mapd_client::Bounds;
 use mapd_client::{
-    Lane, LaneId, LaneTypes, Map, NearestOptions, Point, Region, Snapshot, Track, glam::DVec2,
+    Lane, LaneId, LaneTypes, Map, NearestOptions, Point, QueryError, Region, Snapshot, Track,
+    glam::DVec2,
 };
 use mapd_tests::maps::{Random, carried_and, open, open_text};
 use std::path::PathBuf;
@@ -255,6 +256,30 @@ fn waypoints_run_along_the_lane_at_their_step() {
                 }
             }
             assert!(lane.waypoints(0.0).is_err() && lane.waypoints(f64::NAN).is_err());
+        }
+    }
+}
+
+/// A step that is too small for its lane is refused before any place is looked at, and the number of places is known without looking.
+#[test]
+fn waypoints_are_counted_first_and_at_most_a_million() {
+    for (path, snapshot) in maps() {
+        for lane in snapshot.map().lanes().step_by(7) {
+            let length = lane.section().s_end() - lane.section().s_start();
+            let what = || format!("{}: {}", path.display(), lane.key());
+            for step in [1e-9, 1e-300] {
+                let refused = lane.waypoints(step * length).err();
+                assert_eq!(refused, Some(QueryError::Option("step")), "{}", what());
+            }
+            let many = lane.waypoints(2e-6 * length).map(|all| all.len());
+            assert!(many.is_ok_and(|many| many.abs_diff(500_001) <= 1), "{}", what());
+            // As they have been: at every multiple of the step before the end, and at the end.
+            for step in [0.1, 0.7, length / 3.0, length / 49.0, length, 2.0 * length] {
+                let before = (0u32..).take_while(|n| f64::from(*n) * step < length).count();
+                let all = lane.waypoints(step).expect("a step");
+                assert_eq!(all.len(), before + 1, "{} at {step} m", what());
+                assert_eq!(all.count(), before + 1, "{} at {step} m", what());
+            }
         }
     }
 }

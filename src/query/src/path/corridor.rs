@@ -10,11 +10,10 @@ use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::route::Ways;
 use crate::rules::SpeedRule;
+use crate::waypoints::MOST_STATIONS;
 use glam::DVec3;
 use mapd_archive::VehicleClass;
 
-/// Stations of one answer at most: a step that is too small for its length must not fill the memory.
-const MOST_STATIONS: f64 = 1e6;
 /// Lanes beside the driven one that are looked at on either side at most; a damaged archive might lead round in a circle.
 const MOST_BESIDE: usize = 64;
 
@@ -150,7 +149,7 @@ impl<'a> Path<'a, '_> {
     /// The room along the path from S on, a station every `step` metres and one at the end, `length` metres on or where the path ends. `out` is
     /// emptied first; it grows only if its capacity is too small. The surface is [`Path::corridor_surface`]'s.
     ///
-    /// Errors: numbers that are not finite, a step that is not positive or gives more than a million stations; a damaged archive.
+    /// Errors: numbers that are not finite, a step that is not positive or gives more than a million stations up to there; a damaged archive.
     pub fn corridor(
         &self,
         from: f64,
@@ -176,11 +175,11 @@ impl<'a> Path<'a, '_> {
         if !(from.is_finite() && length.is_finite()) {
             return Err(QueryError::NotFinite);
         }
-        if !(step > 0.0 && step.is_finite() && length / step <= MOST_STATIONS) {
-            return Err(QueryError::Option("step"));
-        }
         let from = mapd_geometry::clamp(from, 0.0, self.length());
         let end = mapd_geometry::clamp(from + length, from, self.length());
+        if !(step > 0.0 && step.is_finite() && (end - from) / step <= MOST_STATIONS) {
+            return Err(QueryError::Option("step"));
+        }
         let mut driven: Option<CurrentNode<'a>> = None;
         let mut span = 0;
         let mut number = 0u64;
