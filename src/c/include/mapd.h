@@ -856,7 +856,7 @@ enum mapd_code
    */
   MAPD_CODE_NULL_POINTER = 10,
   /*
-   An argument cannot be used: text that is not UTF-8, an unknown code, a misaligned pointer, options of another size.
+   An argument cannot be used: text that is not UTF-8, an unknown code, an id that names nothing, a misaligned pointer, options of another size.
    */
   MAPD_CODE_ARGUMENT = 11,
   /*

@@ -20,7 +20,7 @@ pub enum mapd_code {
     TOO_SMALL = 2,
     /// A pointer that is needed is null; a handle was closed, or never made.
     NULL_POINTER = 10,
-    /// An argument cannot be used: text that is not UTF-8, an unknown code, a misaligned pointer, options of another size.
+    /// An argument cannot be used: text that is not UTF-8, an unknown code, an id that names nothing, a misaligned pointer, options of another size.
     ARGUMENT = 11,
     /// A number that is not finite.
     NOT_FINITE = 12,
@@ -152,7 +152,7 @@ impl From<QueryError> for Failure {
             QueryError::ForeignId => mapd_code::FOREIGN_ID,
             QueryError::Corrupt => mapd_code::CORRUPT,
             QueryError::NotFinite | QueryError::NotFiniteAt(_) => mapd_code::NOT_FINITE,
-            QueryError::Option(_) => mapd_code::ARGUMENT,
+            QueryError::Option(_) | QueryError::NoId => mapd_code::ARGUMENT,
             _ => mapd_code::OTHER,
         };
         Self::new(code, error.to_string())

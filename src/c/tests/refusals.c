@@ -102,8 +102,15 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_OK, mapd_lane_facts_of(map, hit.lane, &lane, &error));
   EXPECT(MAPD_CODE_FOREIGN_ID, mapd_lane_facts_of(other, hit.lane, &lane, &error));
   mapd_lane_id wrong = hit.lane;
-  wrong.row = MAPD_NO_ROW;
+  wrong.row = MAPD_NO_ROW - 1;
   EXPECT(MAPD_CODE_CORRUPT, mapd_lane_facts_of(map, wrong, &lane, &error));
+  /* What names nothing is told from what another map has, with this map's content and as batches write it. */
+  double width = 0.0;
+  wrong.row = MAPD_NO_ROW;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_width_at(map, wrong, 0.0, &width, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_width_at(map, hits[1].lane, 0.0, &width, &error));
+  if (strstr(error.message, "names nothing") == NULL) ++failures;
+  wrong.row = hit.lane.row;
   wrong.content = 0;
   EXPECT(MAPD_CODE_FOREIGN_ID, mapd_lane_facts_of(map, wrong, &lane, &error));
   EXPECT(MAPD_CODE_NONE, mapd_lane_by_key(map, "nothing:0:-1", &wrong, &error));
@@ -114,6 +121,9 @@ int main(int argc, char **argv) {
   mapd_waypoint waypoint;
   size_t count = 0;
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_lane_waypoints(map, hit.lane, 0.0, &waypoint, 1, &count, &error));
+  /* A step that gives too many is refused before any is looked at, and those that only count are not looked at either. */
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_waypoints(map, hit.lane, 1e-9, NULL, 0, &count, &error));
+  if (strstr(error.message, "step") == NULL) ++failures;
   EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_beside(map, hit.lane, 99, &wrong, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_signals(map, hit.lane, 99, NULL, 0, &count, &error));
 
@@ -121,9 +131,6 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_TOO_SMALL, mapd_lane_waypoints(map, hit.lane, 1.0, &waypoint, 1, &count, &error));
   EXPECT(MAPD_CODE_TOO_SMALL, mapd_lane_waypoints(map, hit.lane, 1.0, NULL, 0, &count, &error));
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_lane_waypoints(map, hit.lane, 1.0, NULL, 3, &count, &error));
-  /* A step that gives too many is refused before any is looked at, and those that only count are not looked at either. */
-  EXPECT(MAPD_CODE_ARGUMENT, mapd_lane_waypoints(map, hit.lane, 1e-9, NULL, 0, &count, &error));
-  if (strstr(error.message, "step") == NULL) ++failures;
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_lane_waypoints(map, hit.lane, 1.0, &waypoint, 1, NULL, &error));
   mapd_waypoint *exact = malloc(count * sizeof *exact);
   EXPECT(MAPD_CODE_OK, mapd_lane_waypoints(map, hit.lane, 1.0, exact, count, &count, &error));
@@ -186,6 +193,8 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_NOT_FINITE, mapd_path_project_batch(path, &nan_place, 1, &foot, &error));
   EXPECT(MAPD_CODE_NONE, mapd_path_along_of(path, wrong, 1.0, &number, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_path_corridor(path, 0.0, 1.0, 0.0, 0, scratch, &station, 1, &count, &error));
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_corridor(path, 0.0, 1.0, 1e-9, 0, scratch, &station, 1, &count, &error));
+  EXPECT(MAPD_CODE_TOO_SMALL, mapd_path_corridor(path, 0.0, 1e9, 0.5, 0, scratch, &station, 1, &count, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_path_corridor(path, 0.0, 1.0, 0.5, 200, scratch, &station, 1, &count, &error));
   EXPECT(MAPD_CODE_TOO_SMALL, mapd_path_corridor(path, 0.0, 1.0, 0.5, 0, scratch, &station, 1, &count, &error));
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_conflicts(path, NULL, &conflict, 1, &count, &error));
@@ -193,8 +202,6 @@ int main(int argc, char **argv) {
   mapd_path_close(&path);
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_length(path, &number, &error));
 
-  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_corridor(path, 0.0, 1.0, 1e-9, 0, scratch, &station, 1, &count, &error));
-  EXPECT(MAPD_CODE_TOO_SMALL, mapd_path_corridor(path, 0.0, 1e9, 0.5, 0, scratch, &station, 1, &count, &error));
   mapd_path_options path_options;
   EXPECT(MAPD_CODE_ARGUMENT, mapd_path_options_init(&path_options, 1, &error));
   EXPECT(MAPD_CODE_OK, mapd_path_options_init(&path_options, sizeof path_options, &error));

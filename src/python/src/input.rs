@@ -242,6 +242,9 @@ pub(crate) fn one(
 
 /// The lane of an id.
 pub(crate) fn lane_of_id(map: Map<'_>, id: u64) -> Result<mapd_client::Lane<'_>, QueryError> {
+    if id == NONE_ID {
+        return Err(QueryError::NoId);
+    }
     if (id >> 32) as u32 != content(map) {
         return Err(QueryError::ForeignId);
     }

@@ -9,6 +9,9 @@ pub enum QueryError {
     /// The id was handed out by a map with other content.
     #[error("the id belongs to another map content; look it up again by its key in this snapshot")]
     ForeignId,
+    /// The id names nothing: it stands where nothing was found, as in a column of a batch.
+    #[error("the id names nothing: it stands where nothing was found")]
+    NoId,
     /// The archive contradicts itself here.
     #[error("the archive is damaged at this place; `mapd inspect --verify` names the row")]
     Corrupt,
@@ -26,7 +29,16 @@ pub enum QueryError {
     NotFinite,
 }
 
+/// Row of an id that names nothing, wherever ids are plain numbers: in C, in columns, in Python.
+const NO_ROW: u32 = u32::MAX;
+
 impl QueryError {
+    /// As it is of an id with this row, which may name nothing in any map.
+    #[cold]
+    pub(crate) fn of_row(self, row: u32) -> Self {
+        if row == NO_ROW { Self::NoId } else { self }
+    }
+
     /// As it is of one of several places.
     pub(crate) fn at(self, place: usize) -> Self {
         match self {

@@ -346,8 +346,8 @@ impl<'a> Map<'a> {
     ///
     /// Errors: an id of another map content; a damaged archive.
     pub fn lane_node(&self, id: NodeId) -> Result<LaneNode<'a>, QueryError> {
-        self.known(id.content, id.tile)?;
-        LaneNode::new(*self, id.row).ok_or(QueryError::Corrupt)
+        self.known_id(id.row, id.content, id.tile)?;
+        LaneNode::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))
     }
 
     /// All nodes of the lane graph.

@@ -38,7 +38,7 @@ macro_rules! ids {
 
             /// The id of [`Self::to_bits`]. Every integer is an id; a map answers one that it has not handed out with
             /// [`QueryError::ForeignId`](crate::QueryError::ForeignId), or [`QueryError::Corrupt`](crate::QueryError::Corrupt) if
-            /// only the row does not exist.
+            /// only the row does not exist; one whose row is `u32::MAX` names nothing: [`QueryError::NoId`](crate::QueryError::NoId).
             pub const fn from_bits(bits: u128) -> Self {
                 Self { row: (bits >> 64) as u32, tile: (bits >> 96) as u32, content: bits as u64 }
             }

@@ -132,30 +132,36 @@ impl<'a> Map<'a> {
         if own { Ok(()) } else { Err(QueryError::ForeignId) }
     }
 
+    /// As [`Self::known`], of an id with this row.
+    #[inline]
+    pub(crate) fn known_id(&self, row: u32, content: u64, tile: u32) -> Result<(), QueryError> {
+        self.known(content, tile).map_err(|error| error.of_row(row))
+    }
+
     /// The road of an id.
     #[inline]
     pub fn road(&self, id: RoadId) -> Result<Road<'a>, QueryError> {
-        self.known(id.content, id.tile)?;
-        Road::new(*self, id.row).ok_or(QueryError::Corrupt)
+        self.known_id(id.row, id.content, id.tile)?;
+        Road::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))
     }
 
     /// The lane section of an id.
     pub fn section(&self, id: LaneSectionId) -> Result<LaneSection<'a>, QueryError> {
-        self.known(id.content, id.tile)?;
-        LaneSection::new(*self, id.row).ok_or(QueryError::Corrupt)
+        self.known_id(id.row, id.content, id.tile)?;
+        LaneSection::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))
     }
 
     /// The lane of an id.
     #[inline]
     pub fn lane(&self, id: LaneId) -> Result<Lane<'a>, QueryError> {
-        self.known(id.content, id.tile)?;
-        Lane::new(*self, id.row).ok_or(QueryError::Corrupt)
+        self.known_id(id.row, id.content, id.tile)?;
+        Lane::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))
     }
 
     /// The junction of an id.
     pub fn junction(&self, id: JunctionId) -> Result<Junction<'a>, QueryError> {
-        self.known(id.content, id.tile)?;
-        Junction::new(*self, id.row).ok_or(QueryError::Corrupt)
+        self.known_id(id.row, id.content, id.tile)?;
+        Junction::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))
     }
 
     /// All roads in file order.

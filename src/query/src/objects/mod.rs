@@ -36,8 +36,8 @@ impl<'a> Map<'a> {
     ///
     /// Errors: an id of another map content; a damaged archive.
     pub fn object(&self, id: ObjectId) -> Result<Object<'a>, QueryError> {
-        self.known(id.content, id.tile)?;
-        Object::new(*self, id.row).ok_or(QueryError::Corrupt)
+        self.known_id(id.row, id.content, id.tile)?;
+        Object::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))
     }
 
     /// The object with OpenDRIVE's id, compared byte by byte; of several the first.

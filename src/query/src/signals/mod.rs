@@ -310,8 +310,8 @@ impl<'a> Map<'a> {
     ///
     /// Errors: an id of another map.
     pub fn signal(&self, id: SignalId) -> Result<Signal<'a>, QueryError> {
-        self.known(id.content, id.tile)?;
-        Signal::new(*self, id.row).ok_or(QueryError::Corrupt)
+        self.known_id(id.row, id.content, id.tile)?;
+        Signal::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))
     }
 
     /// A signal with OpenDRIVE's id, compared byte by byte; of several with one id any.
