@@ -14,6 +14,7 @@ import pytest
 from conftest import MAPS
 
 import mapd
+from mapd import _errors
 from mapd._layout import TABLES
 
 
@@ -270,7 +271,17 @@ def test_findings_are_objects(tmp_path: Path) -> None:
     with pytest.raises(mapd.RejectedError) as rejected:
         mapd.compile(broken, on_error="reject")
     assert rejected.value.report.errors and str(broken) in str(rejected.value)
+    # As a worker process hands it to its pool.
+    again = pickle.loads(pickle.dumps(rejected.value))
+    assert type(again) is mapd.RejectedError and str(again) == str(rejected.value) and again.report == rejected.value.report
     assert pickle.loads(pickle.dumps(report)) == report and report.to_dict()["verdict"] == "quarantined"
+
+
+@pytest.mark.parametrize("kind", [kind for kind in vars(_errors).values() if isinstance(kind, type) and issubclass(kind, mapd.MapdError)])
+def test_every_error_can_be_pickled(kind: type[mapd.MapdError]) -> None:
+    error = kind("why", "findings") if kind is mapd.RejectedError else kind("why")
+    again = pickle.loads(pickle.dumps(error))
+    assert type(again) is kind and str(again) == str(error) and vars(again) == vars(error)
 
 
 def test_files_that_are_none(tmp_path: Path) -> None:

@@ -69,6 +69,13 @@ class Columns:
         """Names of the columns, so that ``dict(columns)`` works."""
         return iter(self._dtypes)
 
+    def __iter__(self) -> Iterator[str]:
+        """Names of the columns, as of a dict or a data frame; ``len`` is the number of rows."""
+        return self.keys()
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._dtypes
+
     def __getitem__(self, name: str) -> NDArray[Any]:
         return self._arrays[name]
 

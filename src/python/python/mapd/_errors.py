@@ -85,6 +85,10 @@ class RejectedError(MapdError):
         super().__init__(message)
         self.report = report
 
+    def __reduce__(self) -> tuple[type[RejectedError], tuple[str, Report]]:
+        """Pickled with its report: otherwise a worker process that raises it breaks its pool."""
+        return type(self), (str(self), self.report)
+
 
 class QueryError(MapdError):
     """A question has no answer."""

@@ -1213,7 +1213,7 @@ class View:
         vehicle: str = "passengerCar",
         out: Corridor | None = None,
     ) -> Corridor:
-        """As Path.corridor [m], with the overlay's current entries applied beside the path; speeds are the map's."""
+        """As Path.corridor [m], under the overlay's current entries, beside the path too; speeds are today's."""
     def signals_ahead(self, start: _Place, distance: float, *, vehicle: str = "passengerCar") -> list[SignalAhead]:
         """As Map.signals_ahead [m]: ways through closed lanes are not followed."""
     @overload

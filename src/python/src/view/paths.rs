@@ -126,7 +126,7 @@ impl View {
         crate::along::segment_columns(py, &self.held, &found)
     }
 
-    /// As Path.corridor [m], with the overlay's current entries applied beside the path; speeds are the map's.
+    /// As Path.corridor [m], under the overlay's current entries, beside the path too; speeds are today's.
     #[pyo3(signature = (path, step = 1.0, *, start = 0.0, length = None, vehicle = "passengerCar", out = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn corridor<'py>(
