@@ -8,7 +8,7 @@ use mapd_client::batch::Places;
 use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::route::PositionOnLane;
-use mapd_client::vocabulary::{LaneType, RoadRules, VehicleClass};
+use mapd_client::vocabulary::{Class, ClassSet, LaneType, RoadRules, VehicleClass};
 use mapd_client::{LaneKey, LaneTypes, Map, Point, QueryError, Region};
 use numpy::{Element, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
@@ -336,6 +336,17 @@ pub(crate) fn vehicle_of(name: &str) -> PyResult<VehicleClass> {
         }
         known => Ok(known),
     }
+}
+
+/// Classes of signals and objects by their words; those of landmarks where none are named.
+pub(crate) fn classes_of(names: Option<Vec<String>>) -> PyResult<ClassSet> {
+    let Some(names) = names else { return Ok(ClassSet::LANDMARKS) };
+    names.iter().try_fold(ClassSet::NONE, |set, name| match Class::from_name(name) {
+        Class::Unknown if name != Class::Unknown.name() => Err(PyValueError::new_err(format!(
+            "expected a class of the vocabulary, found {name:?}"
+        ))),
+        class => Ok(set.with(class)),
+    })
 }
 
 /// A country's rules of the road by its two letters; none where no country is named.

@@ -52,11 +52,11 @@ pub(crate) fn landmarks_near<'py>(
     held: &Arc<Held>,
     point: (f64, f64),
     radius: f64,
+    classes: ClassSet,
 ) -> PyResult<Vec<Bound<'py, PyAny>>> {
     let (point, mut found) = (DVec2::new(point.0, point.1), Vec::new());
     let map = held.map();
-    py.detach(|| map.landmarks_near(point, radius, ClassSet::LANDMARKS, &mut found))
-        .map_err(query)?;
+    py.detach(|| map.landmarks_near(point, radius, classes, &mut found)).map_err(query)?;
     found.iter().map(|one| landmark(py, held, one)).collect()
 }
 
@@ -65,9 +65,10 @@ pub(crate) fn landmarks_in_view<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
     sensor: &Sensor,
+    classes: ClassSet,
 ) -> PyResult<Vec<Bound<'py, PyAny>>> {
     let (map, mut found) = (held.map(), Vec::new());
-    py.detach(|| map.landmarks_in_view(sensor, ClassSet::LANDMARKS, &mut found)).map_err(query)?;
+    py.detach(|| map.landmarks_in_view(sensor, classes, &mut found)).map_err(query)?;
     let one = |seen: &mapd_client::localisation::LandmarkInView| {
         let landmark = landmark(py, held, &seen.landmark)?;
         let fields = fields!(py, landmark = landmark, bearing = seen.bearing, facing = seen.facing);

@@ -162,3 +162,51 @@ def test_names_that_are_none(town: mapd.Map) -> None:
         town.reachable((town.lanes()[0], 0.0), 10.0, vehicle="nonsense")
     with pytest.raises(ValueError, match="length"):
         town.reachable((town.lanes()[0], 0.0), 10.0, by="nonsense")  # type: ignore[arg-type]
+
+
+def test_columns_are_asked_for_by_name(town: mapd.Map) -> None:
+    hits = town.nearest_lane(POINTS)
+    assert "s" in hits and "lane" in hits and "speed" not in hits and 0 not in hits
+    assert list(hits) == list(hits.names) == list(dict(hits)) and len(hits) == len(POINTS)
+
+
+def test_a_step_that_gives_too_many_waypoints_is_refused(town: mapd.Map) -> None:
+    lane = town.lane("1:0:-1")
+    for step in (1e-9, 1e-300):
+        with pytest.raises(mapd.QueryError, match="step"):
+            lane.waypoints(step)
+    assert len(lane.waypoints(1.0)) == 77
+
+
+def test_an_id_of_no_lane_is_not_a_foreign_one(town: mapd.Map) -> None:
+    lanes = town.nearest_lane(POINTS).lane
+    assert lanes[2] == mapd.NONE
+    with pytest.raises(mapd.QueryError, match="row 2: the id names nothing"):
+        town.pose_at(lanes, 1.0)
+
+
+def test_only_lanes_count_that_the_vehicle_may_use(town: mapd.Map) -> None:
+    lane = town.lane("1:0:-1")
+    pose = town.pose_at(np.array([lane.id], np.uint64), 10.0)
+    x, y = float(pose.x[0]), float(pose.y[0])
+    car = town.nearest_lane((x, y), vehicle="passengerCar")
+    on_foot = town.nearest_lane((x, y), vehicle="pedestrian")
+    assert car is not None and car.lane == lane and (on_foot is None or on_foot.lane != lane)
+    near = {hit.lane for hit in town.lanes_near((x, y), vehicle="pedestrian")}
+    assert lane not in near and lane in {hit.lane for hit in town.lanes_near((x, y))}
+    of_many = town.nearest_lane(np.array([[x, y]]), vehicle="passengerCar")
+    assert of_many.lane[0] == lane.id
+    with pytest.raises(ValueError, match="passengerCar"):
+        town.nearest_lane((x, y), vehicle="car")
+
+
+def test_landmarks_of_named_classes(other: mapd.Map) -> None:
+    usual = other.landmarks_near((0.0, 0.0), 1e6)
+    box = (-1e6, -1e6, 1e6, 1e6)
+    assert usual and len(other.landmarks_in(box)) == len(usual)
+    assert other.landmarks_near((0.0, 0.0), 1e6, classes=[]) == []
+    for meaning in {one.meaning for one in usual}:
+        named = other.landmarks_near((0.0, 0.0), 1e6, classes=[meaning])
+        assert named == [one for one in usual if one.meaning == meaning]
+    with pytest.raises(ValueError, match="nonsense"):
+        other.landmarks_in(box, classes=["nonsense"])

@@ -302,6 +302,7 @@ class Map:
         z_tolerance: float | None = None,
         heading: float | None = None,
         heading_tolerance: float | None = None,
+        vehicle: str | None = None,
     ) -> Nearest | None: ...
     @overload
     def nearest_lane(
@@ -313,12 +314,13 @@ class Map:
         z_tolerance: float | None = None,
         heading: float | NDArray[np.float64] | None = None,
         heading_tolerance: float | None = None,
+        vehicle: str | None = None,
         out: NearestLanes | None = None,
     ) -> NearestLanes:
         """The lane whose area is nearest in plan view, at most `radius` [m] away; of several, by heading difference, height, offset.
 
         `types` are the lane types that count ("drivable", or OpenDRIVE's names). `z_tolerance` [m] tells levels apart and needs points
-        with z; `heading` [rad] of travel breaks ties, and excludes lanes by `heading_tolerance` [rad].
+        with z; `heading` [rad] of travel breaks ties, and excludes lanes by `heading_tolerance` [rad]. Of a `vehicle` ("bicycle"), only places that it may use count.
         """
     @overload
     def lanes_near(
@@ -330,6 +332,7 @@ class Map:
         z_tolerance: float | None = None,
         heading: float | None = None,
         heading_tolerance: float | None = None,
+        vehicle: str | None = None,
     ) -> list[Nearest]: ...
     @overload
     def lanes_near(
@@ -341,6 +344,7 @@ class Map:
         z_tolerance: float | None = None,
         heading: float | NDArray[np.float64] | None = None,
         heading_tolerance: float | None = None,
+        vehicle: str | None = None,
     ) -> LanesNear:
         """Every lane within `radius` [m], nearest first; options as of nearest_lane."""
     def position_of(
@@ -575,10 +579,18 @@ class Map:
         """The same map under an overlay that mapd encoded for it. What a client attaches to is under the daemon's without this."""
     def approaches(self, conflict: PathConflict, distance: float, *, vehicle: str = "passengerCar") -> Approaches:
         """The lanes on which traffic comes to a conflict of a path, back to a distance [m], nearest first; the other lane itself comes first."""
-    def landmarks_near(self, point: tuple[float, float], radius: float) -> list[Landmark]:
-        """Signals and objects that localisers find again, within a radius [m], nearest first."""
+    def landmarks_near(
+        self, point: tuple[float, float], radius: float, *, classes: Sequence[str] | None = None
+    ) -> list[Landmark]:
+        """Signals and objects that localisers find again, or those of these `classes` ("pole"), within a radius [m], nearest first."""
     def landmarks_in_view(
-        self, point: tuple[float, float], heading: float, range: float, field_of_view: float
+        self,
+        point: tuple[float, float],
+        heading: float,
+        range: float,
+        field_of_view: float,
+        *,
+        classes: Sequence[str] | None = None,
     ) -> list[LandmarkInView]:
         """What a sensor at a point that looks along `heading` [rad] sees of them: up to `range` [m], half of `field_of_view` [rad] to either side, nearest first.
 
@@ -647,7 +659,7 @@ class Map:
         self, start: _Place, distance: float, *, vehicle: str = "passengerCar"
     ) -> list[SignalAhead]:
         """Signals for traffic that goes on without a change of lane, up to a distance [m]."""
-    def landmarks_in(self, region: _Region) -> list[Landmark]:
+    def landmarks_in(self, region: _Region, *, classes: Sequence[str] | None = None) -> list[Landmark]:
         """As landmarks_near, of those in a rectangle (x_min, y_min, x_max, y_max) [m]: signals first, then objects, and no distance."""
     def boundary_segments(self, region: _Region, *, types: _Types | None = None) -> BoundarySegments:
         """Pieces of the borders of lanes in a rectangle (x_min, y_min, x_max, y_max) [m], by their lanes."""
@@ -699,6 +711,7 @@ class Map:
         z_tolerance: float | None = None,
         heading: float | None = None,
         heading_tolerance: float | None = None,
+        vehicle: str | None = None,
     ) -> Nearest | None:
         """As nearest_lane, from latitude, longitude [deg] and, if given, altitude [m] on WGS 84."""
     def _repr_html_(self) -> str: ...

@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 impl Map {
     /// As nearest_lane, from latitude, longitude [deg] and, if given, altitude [m] on WGS 84.
     #[pyo3(signature = (place, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
-        heading_tolerance = None))]
+        heading_tolerance = None, vehicle = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn nearest_lane_geodetic<'py>(
         &self,
@@ -25,8 +25,10 @@ impl Map {
         z_tolerance: Option<f64>,
         heading: Option<f64>,
         heading_tolerance: Option<f64>,
+        vehicle: Option<&str>,
     ) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let mut options = super::places::options(radius, types, z_tolerance, heading_tolerance)?;
+        let mut options =
+            super::places::options(radius, types, z_tolerance, heading_tolerance, vehicle)?;
         options.heading = heading;
         let numbers = crate::input::one(place, "place", &[2, 3])?
             .ok_or_else(|| PyTypeError::new_err("place: expected a tuple of 2 or 3 numbers"))?;

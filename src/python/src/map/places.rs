@@ -4,7 +4,7 @@ use super::Map;
 use crate::batch::{Positions, Speeds, answer, columns, in_row, nearest, position_fields, result};
 use crate::errors::query;
 use crate::held::content;
-use crate::input::{Rows, column, finite, lane_of_id, one_point, places, types_of};
+use crate::input::{Rows, column, finite, lane_of_id, one_point, places, types_of, vehicle_of};
 use crate::lane::Lane;
 use crate::room::{Column, Room};
 use mapd_client::batch::Places;
@@ -29,11 +29,13 @@ pub(super) fn options(
     types: Option<&Bound<'_, PyAny>>,
     z_tolerance: Option<f64>,
     heading_tolerance: Option<f64>,
+    vehicle: Option<&str>,
 ) -> PyResult<NearestOptions> {
     let types = types.map_or(Ok(LaneTypes::ALL), types_of)?;
     Ok(NearestOptions {
         radius,
         types,
+        vehicle: vehicle.map(vehicle_of).transpose()?,
         z_tolerance,
         heading_tolerance,
         ..NearestOptions::default()
@@ -54,9 +56,9 @@ impl Map {
     /// The lane whose area is nearest in plan view, at most `radius` [m] away; of several, by heading difference, height, offset.
     ///
     /// `types` are the lane types that count ("drivable", or OpenDRIVE's names). `z_tolerance` [m] tells levels apart and needs points
-    /// with z; `heading` [rad] of travel breaks ties, and excludes lanes by `heading_tolerance` [rad].
+    /// with z; `heading` [rad] of travel breaks ties, and excludes lanes by `heading_tolerance` [rad]. Of a `vehicle` ("bicycle"), only places that it may use count.
     #[pyo3(signature = (points, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
-        heading_tolerance = None, out = None))]
+        heading_tolerance = None, vehicle = None, out = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn nearest_lane<'py>(
         &self,
@@ -67,9 +69,10 @@ impl Map {
         z_tolerance: Option<f64>,
         heading: Option<&Bound<'py, PyAny>>,
         heading_tolerance: Option<f64>,
+        vehicle: Option<&str>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let mut options = options(radius, types, z_tolerance, heading_tolerance)?;
+        let mut options = options(radius, types, z_tolerance, heading_tolerance, vehicle)?;
         if let Some(point) = one_point(points, "points")? {
             options.heading = heading.map(|heading| heading.extract()).transpose()?;
             let hit = self.map().nearest_lane(point, &options).map_err(query)?;
@@ -92,7 +95,7 @@ impl Map {
 
     /// Every lane within `radius` [m], nearest first; options as of nearest_lane.
     #[pyo3(signature = (points, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
-        heading_tolerance = None))]
+        heading_tolerance = None, vehicle = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn lanes_near<'py>(
         &self,
@@ -103,8 +106,9 @@ impl Map {
         z_tolerance: Option<f64>,
         heading: Option<&Bound<'py, PyAny>>,
         heading_tolerance: Option<f64>,
+        vehicle: Option<&str>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let mut options = options(radius, types, z_tolerance, heading_tolerance)?;
+        let mut options = options(radius, types, z_tolerance, heading_tolerance, vehicle)?;
         if let Some(point) = one_point(points, "points")? {
             options.heading = heading.map(|heading| heading.extract()).transpose()?;
             let mut near = Vec::new();

@@ -4,13 +4,12 @@ use super::Map;
 use crate::batch::columns;
 use crate::errors::query;
 use crate::held::{content, id};
-use crate::input::{region_of, types_of};
+use crate::input::{classes_of, region_of, types_of};
 use crate::object::placement;
 use crate::room::Column;
 use mapd_client::LaneTypes;
 use mapd_client::glam::DVec2;
 use mapd_client::roads::BoundarySegment;
-use mapd_client::vocabulary::ClassSet;
 use pyo3::prelude::*;
 
 impl Map {
@@ -33,13 +32,15 @@ impl Map {
 #[pymethods]
 impl Map {
     /// As landmarks_near, of those in a rectangle (x_min, y_min, x_max, y_max) [m]: signals first, then objects, and no distance.
+    #[pyo3(signature = (region, *, classes = None))]
     fn landmarks_in<'py>(
         &self,
         py: Python<'py>,
         region: [f64; 4],
+        classes: Option<Vec<String>>,
     ) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let (region, mut found) = (region_of(region), Vec::new());
-        self.map().landmarks_in(region, ClassSet::LANDMARKS, &mut found).map_err(query)?;
+        self.map().landmarks_in(region, classes_of(classes)?, &mut found).map_err(query)?;
         found.iter().map(|one| crate::sensing::landmark(py, &self.0, one)).collect()
     }
 

@@ -2,7 +2,7 @@
 
 use super::Map;
 use crate::errors::query;
-use crate::input::{region_of, types_of};
+use crate::input::{classes_of, region_of, types_of};
 use crate::lane::{self, Lane};
 use crate::object::Object;
 use crate::signal::Signal;
@@ -99,19 +99,22 @@ impl Map {
         lane::lines(py, &self.0, region.map(region_of), types, lane::Line::named(which)?)
     }
 
-    /// Signals and objects that localisers find again, within a radius [m], nearest first.
+    /// Signals and objects that localisers find again, or those of these `classes` ("pole"), within a radius [m], nearest first.
+    #[pyo3(signature = (point, radius, *, classes = None))]
     fn landmarks_near<'py>(
         &self,
         py: Python<'py>,
         point: (f64, f64),
         radius: f64,
+        classes: Option<Vec<String>>,
     ) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        crate::sensing::landmarks_near(py, &self.0, point, radius)
+        crate::sensing::landmarks_near(py, &self.0, point, radius, classes_of(classes)?)
     }
 
     /// What a sensor at a point that looks along `heading` [rad] sees of them: up to `range` [m], half of `field_of_view` [rad] to either side, nearest first.
     ///
     /// Signals are seen from the front only, and nothing hides anything.
+    #[pyo3(signature = (point, heading, range, field_of_view, *, classes = None))]
     fn landmarks_in_view<'py>(
         &self,
         py: Python<'py>,
@@ -119,10 +122,11 @@ impl Map {
         heading: f64,
         range: f64,
         field_of_view: f64,
+        classes: Option<Vec<String>>,
     ) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let position = DVec2::new(point.0, point.1);
         let sensor = Sensor { position, heading, range, field_of_view };
-        crate::sensing::landmarks_in_view(py, &self.0, &sensor)
+        crate::sensing::landmarks_in_view(py, &self.0, &sensor, classes_of(classes)?)
     }
 
     /// Painted places of road marks and, with `objects`, of painted objects in a rectangle, at every multiple of `spacing` [m] along each; gaps have none.
