@@ -121,6 +121,11 @@ fn ground_and_marks_have_their_columns() {
         10,6,1.0,right,edge,white,1:0:2,10.0,1,\n\
         10,20,,,,,,,,no road mark within 3 m\n";
     assert_eq!(String::from_utf8_lossy(&output.stdout), expected);
+    // Without a radius as far as every other interface looks.
+    let output = run(&["query", &marks, "nearest-marks"], "x,y\n10,20\n");
+    let usual = mapd_client::localisation::MarkFilter::default().radius;
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(said.contains(&format!("no road mark within {usual} m")), "{said}");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::exit::{Exit, UsageError};
 use crate::source;
 use anyhow::{Result, bail};
 use clap::Args;
-use mapd_client::localisation::VehicleOutline;
+use mapd_client::localisation::{MarkFilter, VehicleOutline};
 use mapd_client::view::View;
 use mapd_client::{NearestOptions, Snapshot};
 use std::io::{self, Write};
@@ -26,9 +26,9 @@ pub(crate) struct QueryCommand {
     /// Kind of question
     #[arg(value_enum)]
     kind: Kind,
-    /// nearest: largest distance from a lane's area; nearest-marks: from a mark [m]
-    #[arg(long, value_name = "M", default_value_t = NearestOptions::default().radius, value_parser = not_negative)]
-    radius: f64,
+    /// nearest: largest distance from a lane's area [m]; nearest-marks: from a mark [m] [default: 10; nearest-marks: 5]
+    #[arg(long, value_name = "M", value_parser = not_negative)]
+    radius: Option<f64>,
     /// nearest, match, nearest-marks: lane types to consider, separated by commas, or `drivable` [default: all]
     #[arg(long, value_name = "TYPES", value_delimiter = ',')]
     types: Vec<String>,
@@ -54,8 +54,12 @@ impl QueryCommand {
     ///
     /// Errors: the source cannot be opened; wrong usage; reading or writing fails.
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
+        let usual_radius = match self.kind {
+            Kind::NearestMarks => MarkFilter::default().radius,
+            _ => NearestOptions::default().radius,
+        };
         let options = NearestOptions {
-            radius: self.radius,
+            radius: self.radius.unwrap_or(usual_radius),
             types: lane_types(&self.types)?,
             z_tolerance: self.z_tolerance,
             heading_tolerance: self.heading_tolerance,
