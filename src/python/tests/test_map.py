@@ -279,7 +279,8 @@ def test_findings_are_objects(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("kind", [kind for kind in vars(_errors).values() if isinstance(kind, type) and issubclass(kind, mapd.MapdError)])
 def test_every_error_can_be_pickled(kind: type[mapd.MapdError]) -> None:
-    error = kind("why", "findings") if kind is mapd.RejectedError else kind("why")
+    report = mapd.Report("rejected", (), (0, 0, 0), (), "1.7", "1.7.0")
+    error = mapd.RejectedError("why", report) if kind is mapd.RejectedError else kind("why")
     again = pickle.loads(pickle.dumps(error))
     assert type(again) is kind and str(again) == str(error) and vars(again) == vars(error)
 
