@@ -344,7 +344,7 @@ impl<'a> Conflict<'a> {
 impl<'a> Map<'a> {
     /// The node of an id.
     ///
-    /// Errors: an id of another map content; a damaged archive.
+    /// Errors: an id of another map content, or that names nothing; a damaged archive.
     pub fn lane_node(&self, id: NodeId) -> Result<LaneNode<'a>, QueryError> {
         self.known_id(id.row, id.content, id.tile)?;
         LaneNode::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))

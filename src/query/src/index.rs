@@ -168,14 +168,14 @@ fn prefetch_leaves(tables: &Tables<'_>, first: u32, mut children: u32) {
     }
 }
 
-/// Visits every leaf whose box holds the point; with `heights`, only those that reach between them. As [`visit`] with a bound
-/// of 0, for less: nothing has to be sorted, and nothing of a leaf is read.
+/// Visits every leaf whose box holds the point; with `heights`, only those that reach between them. `visit` gets the leaf and
+/// the point relative to the leaf's origin. As [`visit`] with a bound of 0, for less: nothing has to be sorted.
 #[inline]
-pub(crate) fn leaves_around<'a>(
+pub(crate) fn visit_around<'a>(
     tables: &Tables<'a>,
     local: DVec2,
     heights: Option<[f64; 2]>,
-    mut visit: impl FnMut(&'a ArchivedIndexLeafRow),
+    mut visit: impl FnMut(&'a ArchivedIndexLeafRow, f32, f32),
 ) {
     let Some(depth) = depth(tables) else { return };
     let (px, py) = (local.x as f32, local.y as f32);
@@ -185,7 +185,8 @@ pub(crate) fn leaves_around<'a>(
     loop {
         if level == depth {
             if let Some(leaf) = tables.index_leaves.get(at as usize) {
-                visit(leaf);
+                let (x, y) = (f64::from(leaf.x()), f64::from(leaf.y()));
+                visit(leaf, (local.x - x) as f32, (local.y - y) as f32);
             }
         } else {
             let first = tables.index_levels.get(level).copied().unwrap_or(0);

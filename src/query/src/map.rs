@@ -139,6 +139,8 @@ impl<'a> Map<'a> {
     }
 
     /// The road of an id.
+    ///
+    /// Errors: an id of another map content, or that names nothing; a damaged archive.
     #[inline]
     pub fn road(&self, id: RoadId) -> Result<Road<'a>, QueryError> {
         self.known_id(id.row, id.content, id.tile)?;
@@ -146,12 +148,16 @@ impl<'a> Map<'a> {
     }
 
     /// The lane section of an id.
+    ///
+    /// Errors: an id of another map content, or that names nothing; a damaged archive.
     pub fn section(&self, id: LaneSectionId) -> Result<LaneSection<'a>, QueryError> {
         self.known_id(id.row, id.content, id.tile)?;
         LaneSection::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))
     }
 
     /// The lane of an id.
+    ///
+    /// Errors: an id of another map content, or that names nothing; a damaged archive.
     #[inline]
     pub fn lane(&self, id: LaneId) -> Result<Lane<'a>, QueryError> {
         self.known_id(id.row, id.content, id.tile)?;
@@ -159,6 +165,8 @@ impl<'a> Map<'a> {
     }
 
     /// The junction of an id.
+    ///
+    /// Errors: an id of another map content, or that names nothing; a damaged archive.
     pub fn junction(&self, id: JunctionId) -> Result<Junction<'a>, QueryError> {
         self.known_id(id.row, id.content, id.tile)?;
         Junction::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))

@@ -34,7 +34,7 @@ impl<'a> Map<'a> {
 
     /// The object of an id.
     ///
-    /// Errors: an id of another map content; a damaged archive.
+    /// Errors: an id of another map content, or that names nothing; a damaged archive.
     pub fn object(&self, id: ObjectId) -> Result<Object<'a>, QueryError> {
         self.known_id(id.row, id.content, id.tile)?;
         Object::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))

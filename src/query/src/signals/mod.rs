@@ -308,7 +308,7 @@ impl<'a> Map<'a> {
 
     /// The signal of an id.
     ///
-    /// Errors: an id of another map.
+    /// Errors: an id of another map content, or that names nothing; a damaged archive.
     pub fn signal(&self, id: SignalId) -> Result<Signal<'a>, QueryError> {
         self.known_id(id.row, id.content, id.tile)?;
         Signal::new(*self, id.row).ok_or_else(|| QueryError::Corrupt.of_row(id.row))
