@@ -295,9 +295,13 @@ impl<'a> Road<'a> {
         (cos, sin, angle)
     }
 
+    /// The plan view. Where it lies is known without the road's row, which is waited for beside it.
     #[inline]
     pub(crate) fn geometries(&self) -> &'a [ArchivedGeometryRow] {
-        self.row.geometries().of(self.map.tables().geometries)
+        let tables = self.map.tables();
+        let line = tables.road_lines.get(self.number as usize).map(|line| line.geometries());
+        // An archive of an earlier release has no lines apart.
+        line.unwrap_or_else(|| self.row.geometries()).of(tables.geometries)
     }
 
     /// The geometry that holds at s: the last that starts at or before it.
