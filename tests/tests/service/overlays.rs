@@ -325,6 +325,26 @@ fn signals_heed_it() {
     assert_eq!(lights(&["--overlay"]), ["behind"]);
 }
 
+/// Where daemon and client meet may be said behind what is done, too: it was refused there.
+#[test]
+fn options_stand_before_and_behind_what_is_done() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    scene.ends(&["apply", "-"], &closed("works", -1), 0);
+    let domain = scene.place.domain();
+    let own = ["--prefix", domain.prefix(), "--wait", "5"];
+    for args in [
+        [&["overlay"][..], &own, &["town", "list"]].concat(),
+        [&["overlay", "town"][..], &own, &["list"]].concat(),
+        [&["overlay", "town", "list"][..], &own].concat(),
+    ] {
+        let mut command = std::process::Command::new(MAPD);
+        let output = command.env_remove("MAPD_PREFIX").args(&args).output().expect("ends");
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert!(output.status.success() && said.contains("works"), "{args:?}: {output:?}");
+    }
+}
+
 /// Commands say which entries hold at a moment; one that has ended goes at the next change.
 #[test]
 fn entries_hold_at_moments() {
