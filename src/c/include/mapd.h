@@ -834,11 +834,12 @@ enum {
 /*
  What a call came to. Codes below `MAPD_CODE_NULL_POINTER` are no errors.
  */
-enum mapd_code
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : int32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
+enum mapd_code : int32_t
+#else
+enum
+#endif
+{
   /*
    Done.
    */
