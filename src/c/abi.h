@@ -433,11 +433,12 @@ enum {
 #define MAPD_LANE_LINES_MOVEMENT_CROSSINGS 2
 #define MAPD_SIGNAL_LINKS_DEPENDENCIES 0
 #define MAPD_SIGNAL_LINKS_BELONGINGS 1
-enum mapd_code
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : int32_t
+enum mapd_code : int32_t
+#else
+enum
 #endif
- {
+{
   MAPD_CODE_OK = 0,
   MAPD_CODE_NONE = 1,
   MAPD_CODE_TOO_SMALL = 2,

@@ -834,11 +834,12 @@ enum {
 /*
  What a call came to. Codes below `MAPD_CODE_NULL_POINTER` are no errors.
  */
-enum mapd_code
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
-  : int32_t
-#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
- {
+enum mapd_code : int32_t
+#else
+enum
+#endif
+{
   /*
    Done.
    */
@@ -5792,7 +5793,8 @@ mapd_code mapd_path_conflict_yields_by(const struct mapd_path_conflict *conflict
 
 /*
  The lanes on which traffic comes to a conflict of a path, back to a distance [m] from its first place on the other lane, each by the shortest way,
- nearest first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
+ nearest first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle`, a `MAPD_VEHICLE_CLASS_…`, is the class of who comes, not of
+ who drives the path: lanes that are closed to it bring none, the other lane neither.
 
  Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
  */

@@ -196,7 +196,8 @@ pub unsafe extern "C" fn mapd_path_conflict_yields_by(
 }
 
 /// The lanes on which traffic comes to a conflict of a path, back to a distance \[m\] from its first place on the other lane, each by the shortest way,
-/// nearest first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
+/// nearest first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle`, a `MAPD_VEHICLE_CLASS_…`, is the class of who comes, not of
+/// who drives the path: lanes that are closed to it bring none, the other lane neither.
 ///
 /// Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
 #[unsafe(no_mangle)]

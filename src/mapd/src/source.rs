@@ -6,6 +6,8 @@ use mapd_archive::{MAGIC, encode};
 use mapd_client::{Attach, Client, Domain, Snapshot};
 use mapd_compiler::{Compilation, CompileOptions, Progress, ReadOptions, compile_from};
 use mapd_xodr::PatchError;
+use std::ffi::OsString;
+use std::fmt;
 use std::fs::File;
 use std::io::{self, Read, Seek};
 use std::os::unix::fs::FileTypeExt;
@@ -13,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 /// Prefix of a live map's name.
-pub(crate) const SHARED: &str = "shm:";
+const SHARED: &str = "shm:";
 /// How long to wait for a live map by default.
 pub const WAIT: Duration = Duration::from_secs(2);
 
@@ -30,9 +32,58 @@ pub fn is_archive(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "mapd")
 }
 
-/// Whether a SOURCE is a map that is compiled already: live, or an archive.
-pub(crate) fn is_compiled(source: &str) -> bool {
-    source.starts_with(SHARED) || is_archive(Path::new(source))
+/// A SOURCE as it is named: a live map, or a file, whose name need not be UTF-8.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// A live map, by its name.
+    Live(String),
+    /// An OpenDRIVE file or an archive.
+    File(PathBuf),
+}
+
+impl From<OsString> for Source {
+    fn from(text: OsString) -> Self {
+        match text.to_str().and_then(|text| text.strip_prefix(SHARED)) {
+            Some(name) => Self::Live(name.to_owned()),
+            None => Self::File(text.into()),
+        }
+    }
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Live(name) => write!(f, "{SHARED}{name}"),
+            Self::File(path) => path.display().fmt(f),
+        }
+    }
+}
+
+impl Source {
+    /// Whether it is a map that is compiled already: live, or an archive.
+    pub(crate) fn is_compiled(&self) -> bool {
+        match self {
+            Self::Live(_) => true,
+            Self::File(path) => is_archive(path),
+        }
+    }
+
+    /// The file; none of a live map.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        match self {
+            Self::Live(_) => None,
+            Self::File(path) => Some(path),
+        }
+    }
+
+    /// What a page calls it: a file without its folder and kind, a live map by its name.
+    pub(crate) fn title(&self) -> String {
+        let name = match self {
+            Self::Live(name) => Path::new(name),
+            Self::File(path) => path,
+        };
+        name.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
 }
 
 /// Compiles an OpenDRIVE file, compressed with gzip or not. Files are included from its folder.
@@ -151,16 +202,18 @@ pub struct Attaching<'a> {
 ///
 /// Errors: files that cannot be read, archives that this release cannot read, no such live map.
 pub fn open(
-    source: &str,
+    source: &Source,
     compiling: Compiling<'_>,
     live: Attaching<'_>,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Opened> {
-    if let Some(name) = source.strip_prefix(SHARED) {
-        let client = Client::connect_as(live.attach, live.domain, name, live.wait)?;
-        return Ok(Opened::Map(client.snapshot(), None));
-    }
-    let path = Path::new(source);
+    let path = match source {
+        Source::File(path) => path,
+        Source::Live(name) => {
+            let client = Client::connect_as(live.attach, live.domain, name, live.wait)?;
+            return Ok(Opened::Map(client.snapshot(), None));
+        }
+    };
     if is_archive(path) {
         return Ok(Opened::Map(Snapshot::open(path)?, None));
     }

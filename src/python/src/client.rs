@@ -13,6 +13,8 @@ use std::time::{Duration, Instant};
 
 /// Longest time between two looks for Python's signals, such as Ctrl-C, while waiting.
 const SLICE: Duration = Duration::from_millis(100);
+/// The same while connecting, which must be able to end within one.
+const CONNECTING: Duration = Duration::from_secs(1);
 
 /// A connection, which a forked process leaves alone: it is its parent's.
 struct Connection {
@@ -45,7 +47,12 @@ impl Drop for Connection {
     }
 }
 
-/// A time to wait.
+/// A time to wait in slices; infinity is for as long as it takes.
+fn patience(timeout: f64) -> PyResult<Duration> {
+    if timeout == f64::INFINITY { Ok(Duration::MAX) } else { seconds(timeout) }
+}
+
+/// A time to wait that ends.
 pub(crate) fn seconds(timeout: f64) -> PyResult<Duration> {
     Duration::try_from_secs_f64(timeout).map_err(|_| {
         PyValueError::new_err(format!("expected a timeout in seconds, found {timeout}"))
@@ -70,10 +77,30 @@ fn wait<T: Send>(
     }
 }
 
+/// Connects in slices, as [`wait`] waits: what fails before its slice is up fails for another reason.
+fn connect(
+    py: Python<'_>,
+    domain: &Domain,
+    name: &str,
+    timeout: Duration,
+) -> PyResult<mapd_client::Client> {
+    let begun = Instant::now();
+    loop {
+        let left = timeout.saturating_sub(begun.elapsed());
+        let (slice, asked) = (left.min(CONNECTING), Instant::now());
+        let found = py.detach(|| mapd_client::Client::connect_in(domain, name, slice));
+        py.check_signals()?;
+        match found {
+            Err(_) if left > slice && asked.elapsed() >= slice => {}
+            found => return found.map_err(client_error),
+        }
+    }
+}
+
 /// A connection to one served map. Threads may share it; a forked process connects again.
 ///
 /// Connects in the domain of `prefix` (else of the environment variable MAPD_PREFIX) and pins the newest generation. Daemon and client may
-/// start in any order; `timeout` is in seconds. `with` closes it.
+/// start in any order; `timeout` is in seconds, `math.inf` for as long as it takes. `with` closes it.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Client {
     name: String,
@@ -99,15 +126,13 @@ impl Client {
     #[new]
     #[pyo3(signature = (name, *, timeout = 5.0, prefix = None))]
     fn new(py: Python<'_>, name: String, timeout: f64, prefix: Option<&str>) -> PyResult<Self> {
-        let deadline = seconds(timeout)?;
+        let deadline = patience(timeout)?;
         let domain = match prefix {
             Some(prefix) => Domain::new(prefix),
             None => Domain::from_env(),
         };
         let domain = domain.map_err(|error| client_error(AttachError::from(error).into()))?;
-        let client = py
-            .detach(|| mapd_client::Client::connect_in(&domain, &name, deadline))
-            .map_err(client_error)?;
+        let client = connect(py, &domain, &name, deadline)?;
         let connection = Connection { client: Some(client), process: std::process::id() };
         Ok(Self { name, connection: Mutex::new(Some(Arc::new(connection))) })
     }
@@ -138,7 +163,7 @@ impl Client {
     /// Waits [s] for a generation newer than the newest that this client has seen; NoGenerationError if none comes.
     #[pyo3(signature = (timeout = 5.0))]
     fn wait(&self, py: Python<'_>, timeout: f64) -> PyResult<Map> {
-        let (connection, timeout) = (self.connection()?, seconds(timeout)?);
+        let (connection, timeout) = (self.connection()?, patience(timeout)?);
         let seen = connection.client().snapshot().generation();
         let next = wait(py, timeout, |slice| match connection.client().wait_next(slice) {
             Err(ClientError::Attach(AttachError::NoGeneration { .. })) => Ok(None),
@@ -156,7 +181,7 @@ impl Client {
     /// Waits [s] for the generation of this number; SupersededError if a newer one is served already.
     #[pyo3(signature = (generation, timeout = 5.0))]
     fn require(&self, py: Python<'_>, generation: u64, timeout: f64) -> PyResult<Map> {
-        let (connection, timeout) = (self.connection()?, seconds(timeout)?);
+        let (connection, timeout) = (self.connection()?, patience(timeout)?);
         let found =
             wait(py, timeout, |slice| match connection.client().require(generation, slice) {
                 Err(ClientError::Attach(AttachError::NoGeneration { .. })) => Ok(None),
@@ -174,7 +199,7 @@ impl Client {
     /// Waits [s] for another generation or another overlay. Returns whether one has come; map() then returns it.
     #[pyo3(signature = (timeout = 5.0))]
     fn wait_change(&self, py: Python<'_>, timeout: f64) -> PyResult<bool> {
-        let (connection, timeout) = (self.connection()?, seconds(timeout)?);
+        let (connection, timeout) = (self.connection()?, patience(timeout)?);
         let pair = || {
             let snapshot = connection.client().snapshot();
             (snapshot.generation(), snapshot.overlay_revision())
@@ -264,7 +289,7 @@ impl Events {
     /// The next event; None if there is none within the timeout [s].
     #[pyo3(signature = (timeout = 5.0))]
     fn wait<'py>(&self, py: Python<'py>, timeout: f64) -> PyResult<Option<Bound<'py, PyAny>>> {
-        let timeout = seconds(timeout)?;
+        let timeout = patience(timeout)?;
         self.next_within(py, timeout)
     }
 

@@ -11,6 +11,7 @@ mod along;
 mod batch;
 mod client;
 mod compile;
+mod copies;
 mod errors;
 mod ground;
 mod held;

@@ -210,3 +210,16 @@ def test_landmarks_of_named_classes(other: mapd.Map) -> None:
         assert named == [one for one in usual if one.meaning == meaning]
     with pytest.raises(ValueError, match="nonsense"):
         other.landmarks_in(box, classes=["nonsense"])
+
+
+def test_a_hint_changes_no_answer(town: mapd.Map) -> None:
+    last = None
+    for x in np.linspace(12.5, 60.0, 20):
+        point = (float(x), -1.75)
+        hit = town.nearest_lane(point, hint=last)
+        assert hit is not None and hit == town.nearest_lane(point)
+        last = hit
+    with pytest.raises(TypeError, match="hint"):
+        town.nearest_lane((50.0, -1.75), hint="1:0:-1")  # type: ignore[call-overload]
+    with pytest.raises(ValueError, match="hint"):
+        town.nearest_lane(POINTS, hint=last)  # type: ignore[call-overload]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import gc
 import pickle
 import re
@@ -16,6 +17,16 @@ from conftest import MAPS
 import mapd
 from mapd import _errors
 from mapd._layout import TABLES
+
+
+def test_what_does_not_change_is_its_own_copy(town: mapd.Map) -> None:
+    route = town.route(("1:0:-1", 38.0), ("1:0:-1", 60.0))
+    parts = [town, town.lane("1:0:-1"), town.road("1"), town.junctions()[0], town.view(0.0)]
+    parts += [*town.signals()[:1], *town.objects()[:1]]
+    assert route is not None
+    parts.append(town.path(route))
+    for part in parts:
+        assert copy.copy(part) is part and copy.deepcopy({"part": [part]})["part"][0] is part
 
 
 def test_parts_say_what_they_are(town: mapd.Map) -> None:

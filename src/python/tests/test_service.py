@@ -112,9 +112,17 @@ def test_what_cannot_be_attached_to(name: str, prefix: str, kind: type[Exception
 
 
 def test_waits_that_are_none() -> None:
-    for timeout in (-1.0, float("nan"), float("inf")):
+    for timeout in (-1.0, float("nan"), -float("inf")):
         with pytest.raises(ValueError, match="timeout"):
             mapd.Client("town", timeout=timeout, prefix="mapdpynobody_")
+
+
+def test_waits_for_as_long_as_it_takes(daemon: Daemon) -> None:
+    with mapd.Client("town", timeout=float("inf"), prefix=daemon.prefix) as client:
+        newest = client.map().generation
+        assert client.require(newest, float("inf")).generation == newest
+    with pytest.raises(mapd.BadNameError):
+        mapd.Client("no/name", timeout=float("inf"), prefix=daemon.prefix)
 
 
 def test_a_map_that_is_not_served(daemon: Daemon) -> None:
@@ -252,14 +260,15 @@ def test_batches_let_other_threads_run(town: mapd.Map) -> None:
     assert gap < 0.5 * (ended - begun)
 
 
-def test_waiting_heeds_an_interrupt(daemon: Daemon) -> None:
+@pytest.mark.parametrize("what", ["next(events)", "mapd.Client('town', timeout=float('inf'), prefix='mapdpynobody_')"])
+def test_waiting_heeds_an_interrupt(daemon: Daemon, what: str) -> None:
     daemon.client().close()
     code = (
         "import mapd, signal, sys\n"
         # Who runs the tests in the background may ignore interrupts, and programs inherit that.
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         f"events = mapd.Client('town', timeout={PATIENCE}, prefix={daemon.prefix!r}).events()\n"
-        "try:\n    print('waiting', flush=True)\n    next(events)\nexcept KeyboardInterrupt:\n    sys.exit(7)\n"
+        f"try:\n    print('waiting', flush=True)\n    {what}\nexcept KeyboardInterrupt:\n    sys.exit(7)\n"
     )
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True) as waiting:
         try:

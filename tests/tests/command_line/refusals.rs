@@ -1,6 +1,9 @@
 //! What is wrong in options and input is refused where it is, not dropped.
 
 use mapd_tests::command;
+use std::ffi::OsStr;
+use std::io::Write as _;
+use std::os::unix::ffi::OsStrExt as _;
 use std::process::{Command, Output, Stdio};
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
@@ -113,5 +116,39 @@ fn a_reader_who_has_gone() {
         drop(child.stdout.take());
         let output = child.wait_with_output().expect("ends");
         assert_eq!((output.status.code(), errors(&output)), (Some(0), String::new()), "{args:?}");
+    }
+}
+
+/// A name need not be UTF-8, as none of `compile` has to be: these were refused before they were looked for.
+#[test]
+fn files_of_any_name() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let named = |bytes: &[u8]| folder.path().join(OsStr::from_bytes(bytes));
+    let (written, archive) = (named(b"to\xffwn.xodr"), named(b"to\xffwn.mapd"));
+    std::fs::copy(town(), &written).expect("copied");
+    let ask = |args: &[&OsStr], input: &str| {
+        let mut command = Command::new(MAPD);
+        command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().expect("starts");
+        let _ = child.stdin.take().expect("stdin").write_all(input.as_bytes());
+        child.wait_with_output().expect("ends")
+    };
+    let compile = [OsStr::new("compile"), written.as_os_str(), "-o".as_ref(), archive.as_ref()];
+    assert_eq!(ask(&compile, "").status.code(), Some(0));
+    let commands: [(&[&str], &str); 4] = [
+        (&["inspect"], ""),
+        (&["query", "nearest"], "x,y\n50,-1.75\n"),
+        (&["match"], "time,x,y\n0,50,-1.75\n"),
+        (&["export", "--format", "html"], ""),
+    ];
+    for (command, input) in commands {
+        for (file, code) in [(&written, 0), (&archive, 0), (&named(b"n\xfft.xodr"), 1)] {
+            let mut args: Vec<&OsStr> = command.iter().map(|arg| OsStr::new(*arg)).collect();
+            args.insert(1, file.as_os_str());
+            let output = ask(&args, input);
+            assert_eq!(output.status.code(), Some(code), "{args:?}: {}", errors(&output));
+            let said = "n\u{fffd}t.xodr";
+            assert_eq!(errors(&output).contains(said), code == 1, "{args:?}: {}", errors(&output));
+        }
     }
 }

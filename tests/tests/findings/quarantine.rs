@@ -150,6 +150,45 @@ fn a_lane_with_more_points_than_the_index_can_name_takes_its_road_out() {
     assert!(compiled.quarantined[0].message.contains("lane -1 of road 6"));
 }
 
+/// Where a road or signal lies a thousand times farther than Neptune, all others are as they would be without.
+#[test]
+fn what_lies_too_far_away_takes_no_digits_of_the_rest() {
+    let astray = |x: &str, y: &str| {
+        format!(
+            r#"<road id="7" length="100" junction="-1"><planView>
+<geometry s="0" x="{x}" y="{y}" hdg="0" length="100"><line/></geometry></planView>
+<lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road>"#
+        )
+    };
+    let with = |road: &str| MAP.replace("<junction", &format!("{road}<junction"));
+    let sound = compiled(MAP, &Policy::default()).rows.expect("rows");
+    let keep = Policy { on_error: OnError::ReferenceLine, ..Policy::default() };
+    for (x, y) in [("1e15", "0"), ("0", "-1.1e9"), ("1e300", "1e300")] {
+        for policy in [&Policy::default(), &keep] {
+            let far = compiled(&with(&astray(x, y)), policy);
+            let [part] = &far.quarantined[..] else { panic!("{x}, {y}: {:?}", far.quarantined) };
+            assert_eq!((&*part.name(), part.treatment), ("road 7", Treatment::Dropped));
+            assert_eq!((part.rule, part.line, part.column), ("mapd:compile.unusable", 15, 1));
+            assert!(part.message.contains("1000000000 m, found"), "{}", part.message);
+            let rows = far.rows.as_ref().expect("rows");
+            assert!(rows.geometries.as_slice() == sound.geometries.as_slice(), "{x}, {y}");
+            assert!(rows.points.as_slice() == sound.points.as_slice(), "{x}, {y}");
+        }
+    }
+    assert_eq!(compiled(&with(&astray("1e9", "-1e9")), &keep).verdict, Verdict::Accepted);
+    let stated = |x: &str| {
+        let own =
+            format!(r#"country="DE"><positionInertial x="{x}" y="0" z="0" hdg="0"/></signal>"#);
+        MAP.replacen(r#"country="DE"/>"#, &own, 1).replace("revMinor=\"7\"", "revMinor=\"8\"")
+    };
+    let lost = |x: &str| {
+        let parts = compiled(&stated(x), &Policy::default()).quarantined;
+        parts.iter().map(|part| part.name()).collect::<Vec<_>>()
+    };
+    assert_eq!(lost("140"), [""; 0]);
+    assert_eq!(lost("-1e10"), ["signal s1 of road 2"]);
+}
+
 #[test]
 fn a_part_is_named_with_what_it_belongs_to() {
     for (written, instead, name) in [

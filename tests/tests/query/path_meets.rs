@@ -198,6 +198,16 @@ fn lanes_that_lead_to_a_conflict_are_told_with_their_distance() {
                 assert!(leads, "{name}: {own:?}");
             }
             assert!(out.first().is_none_or(|own| own.lane == conflict.other), "{name}");
+            // The class is that of who comes: a lane that is closed to it brings nobody.
+            let (other, [low, high]) =
+                (map.lane(conflict.other).expect("a lane"), conflict.other_s);
+            for class in [CAR, VehicleClass::Bicycle, VehicleClass::Tram] {
+                let is_open = [(low, true), (high, false)].into_iter().any(|(s, forward)| {
+                    other.node_at(s, forward).is_some_and(|node| node.allows(class))
+                });
+                map.approaches(conflict, BACK, class, &mut out).expect("lanes");
+                assert_eq!(out.is_empty(), !is_open, "{name}: {class:?} {conflict:?}");
+            }
         }
     });
 }

@@ -298,6 +298,53 @@ fn speeds_heed_it() {
     assert!(String::from_utf8_lossy(&refused.stderr).contains("nearest does not heed --overlay"));
 }
 
+/// `query signals` with the option follows no lanes that are closed today, and without it the map's.
+#[test]
+fn signals_heed_it() {
+    let scene = Scene::new();
+    let light = r#"<signals><signal s="40" t="-4" id="light" dynamic="yes" orientation="+" type="1000001" subtype="-1" country="OpenDRIVE" zOffset="3" height="1" width="0.4"/></signals>"#;
+    let text = town(3, 3).replacen("</lanes>", &format!("</lanes>{light}"), 1);
+    fs::write(&scene.map, text).expect("written");
+    let _daemon = scene.place.serve(&scene.args());
+    scene.ends(&["apply", "-"], &closed("works", -1), 0);
+    let lights = |more: &[&str]| {
+        let mut command = scene.place.command();
+        command.args(["query", "shm:town", "signals"]).args(more);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped());
+        let mut child = command.spawn().expect("starts");
+        let rows = b"from,road_id,s,lane_id,distance\nbefore,1,5,-1,60\nbehind,1,25,-1,60\n";
+        child.stdin.take().expect("stdin").write_all(rows).expect("written");
+        let output = child.wait_with_output().expect("ends");
+        assert!(output.status.success(), "{output:?}");
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        let seen = said.lines().filter(|row| row.contains(",light,"));
+        seen.map(|row| row.split(',').next().unwrap_or_default().to_owned()).collect::<Vec<_>>()
+    };
+    // A place from which no signal is seen has no row.
+    assert_eq!(lights(&[]), ["before", "behind"]);
+    assert_eq!(lights(&["--overlay"]), ["behind"]);
+}
+
+/// Where daemon and client meet may be said behind what is done, too: it was refused there.
+#[test]
+fn options_stand_before_and_behind_what_is_done() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    scene.ends(&["apply", "-"], &closed("works", -1), 0);
+    let domain = scene.place.domain();
+    let own = ["--prefix", domain.prefix(), "--wait", "5"];
+    for args in [
+        [&["overlay"][..], &own, &["town", "list"]].concat(),
+        [&["overlay", "town"][..], &own, &["list"]].concat(),
+        [&["overlay", "town", "list"][..], &own].concat(),
+    ] {
+        let mut command = std::process::Command::new(MAPD);
+        let output = command.env_remove("MAPD_PREFIX").args(&args).output().expect("ends");
+        let said = String::from_utf8_lossy(&output.stdout);
+        assert!(output.status.success() && said.contains("works"), "{args:?}: {output:?}");
+    }
+}
+
 /// Commands say which entries hold at a moment; one that has ended goes at the next change.
 #[test]
 fn entries_hold_at_moments() {

@@ -105,6 +105,15 @@ fn words() -> String {
     out
 }
 
+/// The header, whose codes have no tag where the name is that of a number: in C++ one name cannot be both, of which compilers of C warn.
+fn without_tag(header: String) -> String {
+    const SIZED: &str = "defined(__cplusplus) || __STDC_VERSION__ >= 202311L";
+    let tagged = format!("enum mapd_code\n#if {SIZED}\n  : int32_t\n#endif // {SIZED}\n {{\n");
+    assert!(header.contains(&tagged), "cbindgen writes the codes in another way");
+    let both = format!("#if {SIZED}\nenum mapd_code : int32_t\n#else\nenum\n#endif\n{{\n");
+    header.replace(&tagged, &both)
+}
+
 /// The header.
 pub(crate) fn header() -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
@@ -140,7 +149,7 @@ pub(crate) fn header() -> String {
         Ok(bindings) => bindings.write(&mut out),
         Err(error) => panic!("cbindgen refuses the sources: {error}"),
     }
-    let text = String::from_utf8(out).unwrap_or_default();
+    let text = without_tag(String::from_utf8(out).unwrap_or_default());
     // Rustdoc's brackets and marks mean nothing here.
     text.replace("\\[", "[").replace("\\]", "]")
 }

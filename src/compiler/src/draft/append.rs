@@ -42,6 +42,7 @@ impl Draft {
             move_owners(new, before, &moves);
         }
         self.road_spans.extend(part.road_spans);
+        self.too_far.extend(part.too_far);
         self.connections += part.connections;
         self.joints.extend(joints::behind(part.joints, grids));
         self.permissions.append(part.permissions, &moves.lanes);

@@ -16,7 +16,7 @@ mod signals;
 
 use crate::without::Without;
 use mapd_archive::{MapRow, Range, Rows, StringTable};
-use mapd_xodr::Span;
+use mapd_xodr::{Finding, Span};
 use std::sync::Arc;
 
 pub(crate) use interned::Interned;
@@ -47,6 +47,8 @@ pub(crate) struct Draft {
     pub(crate) objects: Objects,
     /// Where the map lies on Earth, as the header says it.
     pub(crate) placed: StatedGeoreference,
+    /// Errors about geometries that lie too far away to be stored. A target frame says better what is wrong with their place.
+    pub(crate) too_far: Vec<Finding>,
     pub(crate) styles: Styles,
     /// Sequences of cubics.
     pub(crate) cubics: Interned,

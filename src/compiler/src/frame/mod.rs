@@ -271,7 +271,10 @@ pub(crate) fn apply(
     options: &CompileOptions,
     findings: &mut Vec<Finding>,
 ) -> Option<TargetFrame> {
-    let target = options.crs.as_ref()?;
+    let Some(target) = &options.crs else {
+        findings.append(&mut draft.too_far);
+        return None;
+    };
     let placed = draft.placed.clone();
     let mut frame = TargetFrame::new(target, (&placed, &draft.rows), options, findings)?;
     move_rows::all(&mut frame, draft, signals, findings);

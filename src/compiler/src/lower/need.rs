@@ -76,6 +76,15 @@ impl ElementContext<'_> {
         None
     }
 
+    /// What is wrong with a place in the plane `[m]`; none within [`FARTHEST`]. The local origin lies amid all places: one far away
+    /// would take the digits of all others.
+    pub(super) fn too_far(&self, [x, y]: [f64; 2]) -> Option<Finding> {
+        let is_near = x.abs() <= FARTHEST && y.abs() <= FARTHEST;
+        let message =
+            || format!("expected @x and @y from -{FARTHEST} to {FARTHEST} m, found {x} and {y}");
+        (!is_near).then(|| self.finding(&building::UNUSABLE, Severity::Error, message()))
+    }
+
     /// Adds the finding that something cannot be used: an attribute or child by its name, or with no name the element. Where the
     /// reader or a rule has a finding about the same, that one stands for this one; see `Collector`.
     pub(crate) fn unusable(&mut self, subject: &str, message: String) {

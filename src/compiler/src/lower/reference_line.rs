@@ -22,7 +22,7 @@ impl Draft {
     ) -> Range {
         let before = self.rows.geometries.len();
         for (index, g) in plan_view.geometry.iter().enumerate() {
-            let found = findings.len();
+            let (found, far) = (findings.len(), self.too_far.len());
             let mut part =
                 ElementContext { span: g.span, path: ElementPath::new(road, GEOMETRY), findings };
             match line.piece(index) {
@@ -31,7 +31,8 @@ impl Draft {
             }
             // Which one, only where there is something to say: writing a number takes longer than lowering a line.
             if let Some(s) = g.s.value() {
-                for finding in findings.iter_mut().skip(found) {
+                let far = self.too_far.iter_mut().skip(far);
+                for finding in findings.iter_mut().skip(found).chain(far) {
                     finding.path = format!("{road}/{GEOMETRY}[@s={s}]");
                 }
             }
@@ -58,6 +59,7 @@ impl Draft {
             }
         }
         let Piece { start, compiled, .. } = piece;
+        self.too_far.extend(part.too_far([start.x, start.y]));
         let first = self.rows.coefficients.len();
         self.rows.coefficients.extend_from_slice(&compiled.coefficients);
         self.rows.geometries.push(GeometryRow {

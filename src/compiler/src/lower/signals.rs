@@ -185,6 +185,10 @@ impl Draft {
             | bit(meaning.assumed_unit.is_some(), signal_values::UNIT_ASSUMED);
         row.flags = signal.flags;
         let position = position(signal, &mut |id| self.strings.add(id));
+        if let Position::Inertial(place) = &position {
+            let far = part.too_far([place[0], place[1]]);
+            part.findings.extend(far);
+        }
         row.position = match position {
             Position::Track => 0,
             Position::Road(..) => 1,

@@ -1,7 +1,7 @@
 //! The frame that a map is compiled into.
 
 use crate::exit::UsageError;
-use crate::source;
+use crate::source::Source;
 use anyhow::Result;
 use clap::Args;
 use mapd_compiler::{CompileOptions, Target};
@@ -19,8 +19,8 @@ impl FrameArgs {
     /// Options for a SOURCE that is compiled if it is an OpenDRIVE file.
     ///
     /// Errors: a frame is asked for, but the source is compiled already.
-    pub(super) fn source(&self, source: &str) -> Result<CompileOptions> {
-        if self.crs.is_some() && source::is_compiled(source) {
+    pub(super) fn source(&self, source: &Source) -> Result<CompileOptions> {
+        if self.crs.is_some() && source.is_compiled() {
             let message = format!(
                 "--crs transforms OpenDRIVE files only; {source} keeps the frame it was compiled into"
             );

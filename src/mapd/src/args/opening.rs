@@ -3,7 +3,7 @@
 use super::{DomainArgs, FrameArgs, OntologyArgs, Seconds, ThreadsArg, TrustArgs};
 use crate::progress::{Manner, Meter};
 use crate::report;
-use crate::source::{self, Attaching, Compiling, Opened, SHARED};
+use crate::source::{self, Attaching, Compiling, Opened, Source};
 use crate::trust::{NotSignable, signable};
 use anyhow::Result;
 use clap::{Args, ValueEnum};
@@ -86,7 +86,7 @@ impl Opening {
     ///
     /// Errors: files that cannot be read, archives that this release cannot read, no such live map; options that do not go
     /// with the source.
-    pub(crate) fn open(&self, source: &str) -> Result<Option<Snapshot>> {
+    pub(crate) fn open(&self, source: &Source) -> Result<Option<Snapshot>> {
         Ok(self.open_with_findings(source, Manner::Bar)?.map(|opened| opened.snapshot))
     }
 
@@ -95,11 +95,11 @@ impl Opening {
     /// Errors: as [`Opening::open`].
     pub(crate) fn open_with_findings(
         &self,
-        source: &str,
+        source: &Source,
         manner: Manner,
     ) -> Result<Option<OpenedSource>> {
         let (domain, wait) = self.live.get()?;
-        let reading = self.ontology.for_source(source::is_compiled(source))?;
+        let reading = self.ontology.for_source(source.is_compiled())?;
         let options = self.frame.source(source)?;
         let compiling = Compiling { reading: &reading, options: &options };
         let live = Attaching { domain: &domain, attach: self.attach.get(), wait };
@@ -120,7 +120,9 @@ impl Opening {
     /// Errors: no such live map; a key, which no live map can be proved with.
     pub(crate) fn connect(&self, name: &str) -> Result<Client> {
         if self.trust.key()?.is_some() {
-            return Err(NotSignable::Live { name: format!("{SHARED}{name}") }.into());
+            return Err(
+                NotSignable::Live { name: Source::Live(name.to_owned()).to_string() }.into()
+            );
         }
         let (domain, wait) = self.live.get()?;
         Ok(Client::connect_as(self.attach.get(), &domain, name, wait)?)
@@ -147,30 +149,30 @@ impl From<How> for Attach {
 
 /// Opens a SOURCE for a command that needs a map; prints why there is none. With a key, only an archive that it has signed.
 fn open_or_report(
-    source: &str,
+    source: &Source,
     compiling: Compiling<'_>,
     key: Option<TrustedKey>,
     live: Attaching<'_>,
     manner: Manner,
 ) -> Result<Option<OpenedSource>> {
     if let Some(key) = key {
-        if source.starts_with(SHARED) {
-            return Err(NotSignable::Live { name: source.to_owned() }.into());
-        }
-        signable(Path::new(source))?;
-        let snapshot = Snapshot::open_trusted(source, &key)?;
+        let Some(file) = source.file() else {
+            return Err(NotSignable::Live { name: source.to_string() }.into());
+        };
+        signable(file)?;
+        let snapshot = Snapshot::open_trusted(file, &key)?;
         return Ok(Some(OpenedSource::compiled_before(snapshot)));
     }
-    if !source::is_compiled(source) {
+    if !source.is_compiled() {
         ThreadsArg::default().start(None)?;
     }
-    let bar = Meter::of_file(Path::new(source), manner);
+    let bar = Meter::of_file(source.file().unwrap_or(Path::new("")), manner);
     let opened = source::open(source, compiling, live, &mut |p| bar.show(p))?;
     bar.finish();
     Ok(match opened {
         Opened::Map(snapshot, compilation) => Some(OpenedSource { snapshot, compilation }),
         Opened::Rejected(compiled) => {
-            report::print(source, &compiled);
+            report::print(&source.to_string(), &compiled);
             None
         }
     })

@@ -6,7 +6,7 @@ use crate::exit::{Exit, UsageError};
 use crate::findings;
 use crate::progress::Meter;
 use crate::same_file::is_same_file;
-use crate::source::{SHARED, say_without_overlay};
+use crate::source::{Source, say_without_overlay};
 use anyhow::{Result, bail};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 pub(crate) struct ExportCommand {
     /// .xodr, .mapd or shm:NAME
-    source: String,
+    source: Source,
     /// Output format
     #[arg(long, value_parser = one_of(Format::ALL, Format::name, Format::about))]
     format: Format,
@@ -65,12 +65,12 @@ impl ExportCommand {
     /// Errors: wrong usage, such as an option that the format does not have; the source cannot be opened; as [`write`]; a file cannot be written.
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
         let output = self.output.as_deref();
-        if let Some(output) = output.filter(|file| is_same_file(file, self.source.as_ref())) {
+        let is_source = |file: &Path| self.source.file().is_some_and(|own| is_same_file(file, own));
+        if let Some(output) = output.filter(|file| is_source(file)) {
             bail!(UsageError(format!("{} would overwrite its source", output.display())));
         }
         let is_other = |report: &Path| {
-            let is_map = is_same_file(report, self.source.as_ref());
-            is_map || output.is_some_and(|output| is_same_file(report, output))
+            is_source(report) || output.is_some_and(|output| is_same_file(report, output))
         };
         if self.report.as_deref().is_some_and(is_other) {
             let message = "the report would overwrite the map; name another file with --report";
@@ -85,7 +85,7 @@ impl ExportCommand {
         if self.format == Format::Lanelet2 {
             say_without_overlay(&snapshot, "mapd");
         }
-        let title = title(&self.source);
+        let title = self.source.title();
         let findings = match self.format {
             Format::Html => findings::of(&snapshot, compilation.as_deref()),
             _ => Findings::UNKNOWN,
@@ -186,11 +186,4 @@ fn one_of<T: Copy + Send + Sync + 'static>(
         let named = all.iter().copied().find(|one| name(*one) == text);
         named.ok_or_else(|| format!("{text:?} is none of them"))
     })
-}
-
-/// What a page is called: a file without its folder and kind, a live map by its name.
-fn title(source: &str) -> String {
-    let name = source.strip_prefix(SHARED).unwrap_or(source);
-    let stem = Path::new(name).file_stem().unwrap_or_default();
-    stem.to_string_lossy().into_owned()
 }

@@ -9,6 +9,7 @@ use super::query::output::{FormatArgs, Output};
 use super::query::row::Row;
 use crate::args::{Opening, lane_types, not_negative, vehicle};
 use crate::exit::Exit;
+use crate::source::Source;
 use clap::Args;
 use csv::StringRecord;
 use mapd_client::localisation::{TraceFix, TraceMatch, TraceOptions, TracePosition, TraceScratch};
@@ -30,7 +31,7 @@ const NEEDS: [[&str; 3]; 2] = [["time", "x", "y"], ["time", "lat", "lon"]];
 #[derive(Args)]
 pub(crate) struct TraceCommand {
     /// .xodr, .mapd or shm:NAME
-    source: String,
+    source: Source,
     #[command(flatten)]
     trace: TraceArgs,
     #[command(flatten)]

@@ -8,7 +8,8 @@ use crate::input::{Rows, column, finite, lane_of_id, one_point, places, types_of
 use crate::lane::Lane;
 use crate::room::{Column, Room};
 use mapd_client::batch::Places;
-use mapd_client::{LaneTypes, Nearest, NearestOptions};
+use mapd_client::{Clamped, LanePosition, LaneTypes, Nearest, NearestOptions};
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
 impl Map {
@@ -42,6 +43,33 @@ pub(super) fn options(
     })
 }
 
+/// An answer as a hint, of which lane and s count; none of another map's.
+fn hinted(map: mapd_client::Map<'_>, hint: &Bound<'_, PyAny>) -> PyResult<Option<Nearest>> {
+    let (lane, s) = (hint.getattr("lane"), hint.getattr("s").and_then(|s| s.extract::<f64>()));
+    let known = match (&lane, s) {
+        (Ok(lane), Ok(s)) => lane.cast::<Lane>().ok().map(|lane| (lane.get().id(), s)),
+        _ => None,
+    };
+    let Some((lane, s)) = known else {
+        let expected = "hint: expected what nearest_lane returned for one point";
+        return Err(PyTypeError::new_err(expected));
+    };
+    Ok(lane_of_id(map, lane).ok().map(|lane| Nearest {
+        lane: lane.lane_id(),
+        position: LanePosition {
+            s,
+            t: 0.0,
+            offset: 0.0,
+            offset_of_reference_line: 0.0,
+            distance: 0.0,
+            z: 0.0,
+            heading: 0.0,
+            heading_of_reference_line: 0.0,
+            clamped: Clamped::No,
+        },
+    }))
+}
+
 /// A heading for each row, if any.
 fn headings(
     heading: Option<&Bound<'_, PyAny>>,
@@ -57,8 +85,9 @@ impl Map {
     ///
     /// `types` are the lane types that count ("drivable", or OpenDRIVE's names). `z_tolerance` [m] tells levels apart and needs points
     /// with z; `heading` [rad] of travel breaks ties, and excludes lanes by `heading_tolerance` [rad]. Of a `vehicle` ("bicycle"), only places that it may use count.
+    /// `hint` is an answer nearby, such as the last one: the search for one point begins there, and its answer is the same. A batch needs none.
     #[pyo3(signature = (points, *, radius = 10.0, types = None, z_tolerance = None, heading = None,
-        heading_tolerance = None, vehicle = None, out = None))]
+        heading_tolerance = None, vehicle = None, hint = None, out = None))]
     #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn nearest_lane<'py>(
         &self,
@@ -70,13 +99,18 @@ impl Map {
         heading: Option<&Bound<'py, PyAny>>,
         heading_tolerance: Option<f64>,
         vehicle: Option<&str>,
+        hint: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Option<Bound<'py, PyAny>>> {
         let mut options = options(radius, types, z_tolerance, heading_tolerance, vehicle)?;
         if let Some(point) = one_point(points, "points")? {
             options.heading = heading.map(|heading| heading.extract()).transpose()?;
+            options.hint = hint.map_or(Ok(None), |hint| hinted(self.map(), hint))?;
             let hit = self.map().nearest_lane(point, &options).map_err(query)?;
             return hit.map(|hit| self.nearest_result(py, &hit)).transpose();
+        }
+        if hint.is_some() {
+            return Err(PyValueError::new_err("a hint goes with one point, not with a batch"));
         }
         let mut room = Room::of(py, "NearestLanes", out)?;
         let points = Rows::of(points, "points", &[2, 3], &mut room)?;

@@ -142,6 +142,8 @@ impl Map {
     }
 
     /// The lanes on which traffic comes to a conflict of a path, back to a distance [m], nearest first; the other lane itself comes first.
+    ///
+    /// `vehicle` is the class of who comes, not of who drives the path: lanes that are closed to it bring none, the other lane neither.
     #[pyo3(signature = (conflict, distance, *, vehicle = "passengerCar"))]
     fn approaches<'py>(
         &self,

@@ -30,8 +30,8 @@ pub struct ConflictApproach {
 
 impl<'a> Map<'a> {
     /// The lanes on which traffic comes to a conflict of a path, back to a distance `[m]` from its first place on the other lane, each by the shortest way, nearest
-    /// first. The other lane itself comes first. Changes of lane are not among the ways. `out` is emptied first; it grows only if its capacity is too
-    /// small.
+    /// first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle` is the class of who comes, not of who drives the path: lanes
+    /// that are closed to it bring none, the other lane neither. Who heeds bicycles asks for them, too. `out` is emptied first; it grows only if its capacity is too small.
     ///
     /// Errors: a conflict of another map, a distance that is not finite.
     pub fn approaches(

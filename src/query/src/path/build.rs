@@ -47,6 +47,8 @@ impl<'a> Map<'a> {
         options: &PathOptions,
         buffer: &'b mut PathBuffer,
     ) -> Result<Path<'a, 'b>, PathError> {
+        buffer.steps.clear();
+        buffer.steps.extend_from_slice(steps);
         buffer.pieces.clear();
         buffer.spans.clear();
         buffer.joints.clear();

@@ -19,6 +19,7 @@ mod crossings;
 mod edge;
 mod error;
 mod facts;
+mod kept;
 mod meets;
 mod outline;
 mod overlaps;
@@ -50,7 +51,7 @@ use crate::error::QueryError;
 use crate::ids::{LaneId, ONLY_TILE};
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::route::Enter;
+use crate::route::{Enter, RouteStep};
 use glam::DVec2;
 
 /// A gap of this size breaks a path `[m]`.
@@ -98,6 +99,8 @@ impl PathOptions {
 /// Memory of a path, to be used again: it grows to the longest path that it has held.
 #[derive(Clone, Default)]
 pub struct PathBuffer {
+    /// What it was built on.
+    steps: Vec<RouteStep>,
     pieces: Vec<Piece>,
     spans: Vec<Span>,
     joints: Vec<PathJoint>,

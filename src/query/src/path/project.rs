@@ -14,6 +14,8 @@ use mapd_geometry::normalize_angle;
 const HINT_REACH: f64 = 30.0;
 /// Steps towards a foot at most; each gains several digits.
 const STEPS: usize = 24;
+/// Parts of a span whose ends are looked at where steps do not come to a foot.
+const PARTS: usize = 16;
 /// A step by less than this is the last one towards a foot `[m]`: it leaves an error of its square.
 const STEP: f64 = 5e-7;
 /// Nearness to the line's centre of curvature, as a share of the radius, below which steps are not made longer.
@@ -167,11 +169,38 @@ impl<'b> Path<'_, 'b> {
                 best = Some(Foot { span, gone: gone_now, distance, ahead, d, way });
             }
             if is_last {
-                break;
+                return best;
             }
             gone = next;
         }
-        best
+        self.foot_by_halves(span, local).or(best)
+    }
+
+    /// The nearest place of a span that turns so tightly that steps lead to and fro: of some places the nearest, and from there by halves.
+    #[cold]
+    fn foot_by_halves(&self, span: &'b Span, local: DVec2) -> Option<Foot<'b>> {
+        let (piece, lane) = self.piece(span)?;
+        let shift = self.shift(span);
+        let foot = |gone: f64| {
+            let at = span.place(span.s_at(gone));
+            let [place, way] = tangent(&lane, at, piece.forward, shift)?;
+            let away = local - place;
+            let (ahead, d) = (away.dot(way), way.perp_dot(away));
+            Some(Foot { span, gone, distance: away.length(), ahead, d, way })
+        };
+        let part = span.length / PARTS as f64;
+        let ends = (0..=PARTS).filter_map(|number| foot(part * number as f64));
+        let mut best = ends.min_by(|a, b| a.distance.total_cmp(&b.distance))?;
+        let mut low = (best.gone - part).max(0.0);
+        let mut high = (best.gone + part).min(span.length);
+        while high - low > STEP {
+            let middle = foot(low.midpoint(high))?;
+            *(if middle.ahead > 0.0 { &mut low } else { &mut high }) = middle.gone;
+            if middle.distance <= best.distance {
+                best = middle;
+            }
+        }
+        Some(best)
     }
 }
 

@@ -13,7 +13,7 @@ use std::f64::consts::FRAC_PI_4;
 /// A lane of the same key whose line lies within this of the old one is the same `[m]`: rounding, and a shift that nobody notices.
 const SAME: f64 = 0.1;
 /// A line farther away than this is another one `[m]`: less than the width of a lane.
-const FAR: f64 = 2.0;
+pub(super) const FAR: f64 = 2.0;
 /// The heading of a lane in the place of another differs by less than this `[rad]`.
 const TURNED: f64 = FRAC_PI_4;
 /// Shorter pieces are not looked for one by one `[m]`: what lies around them leads over them.
@@ -48,7 +48,7 @@ pub enum PathChangeKind {
 
 impl Path<'_, '_> {
     /// The way of this path on another map, such as the next version of its own: its lanes are found by key, and where there is none or it
-    /// lies elsewhere by their place. `steps` is emptied first and holds the new route, for [`Map::path`]; `changes` what has
+    /// lies elsewhere by their place. Where all are there by key and are entered as before, its steps are this path's; else a way is searched. `steps` is emptied first and holds the new route, for [`Map::path`]; `changes` what has
     /// changed and where, in ascending S of the old path: nothing for a map on which all is the same. None if no way leads along what is
     /// left of the path. This allocates: it is for the moment after a swap, not for each cycle.
     ///
@@ -84,6 +84,13 @@ impl Path<'_, '_> {
             }
             if let Some(kind) = worst {
                 changes.push(PathChange { along: [from, to], kind });
+            }
+        }
+        // Its own steps say where a change of lane is possible; a search through the middles of lanes would narrow that.
+        if changes.iter().all(|change| matches!(change.kind, PathChangeKind::Moved(_))) {
+            match self.keep(map, vehicle, cost, steps) {
+                Some(route) => return Ok(Some(route)),
+                None => steps.clear(),
             }
         }
         let found = map.route_via(&places, vehicle, cost, scratch, steps)?;

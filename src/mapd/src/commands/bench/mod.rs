@@ -18,7 +18,7 @@ use figures::Comparison;
 use crate::args::{AttachArgs, Live};
 use crate::exit::Exit;
 use crate::report::hex;
-use crate::source::Attaching;
+use crate::source::{Attaching, Source};
 use anyhow::{Result, ensure};
 use clap::Args;
 use mapd_client::{Attach, Snapshot};
@@ -36,7 +36,7 @@ const SUBSCRIBERS_OF_OTHERS: usize = 4;
 #[derive(Args)]
 pub(crate) struct BenchCommand {
     /// .xodr, .mapd or shm:NAME [default: the served map, if there is only one]
-    source: Option<String>,
+    source: Option<Source>,
     /// Fresh client processes, one after the other and then all at once; at most 60 of them subscribers
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(1..=MOST_CLIENTS))]
     clients: u16,
@@ -58,7 +58,7 @@ pub(crate) struct BenchCommand {
 /// Everything that was measured.
 #[derive(Serialize)]
 struct Report<'a> {
-    source: &'a str,
+    source: String,
     map: &'a str,
     generation: u64,
     bytes: usize,
@@ -94,7 +94,7 @@ impl BenchCommand {
 ///
 /// Errors: no source, or none that can be served; a client fails; writing fails.
 fn measure(args: &BenchCommand, live: Attaching<'_>, out: &mut dyn Write) -> Result<()> {
-    served::with(args.source.as_deref(), live, |served| {
+    served::with(args.source.as_ref(), live, |served| {
         let file = Snapshot::open(&served.file)?;
         let boot = boot::run(
             &served.domain,
@@ -108,7 +108,7 @@ fn measure(args: &BenchCommand, live: Attaching<'_>, out: &mut dyn Write) -> Res
         let both = queries::OnBoth { shared: served.snapshot.map(), file: file.map() };
         let map = served.snapshot.map();
         let report = Report {
-            source: args.source.as_deref().unwrap_or(&served.name),
+            source: args.source.as_ref().map_or_else(|| served.name.clone(), Source::to_string),
             map: &served.name,
             generation: served.snapshot.generation(),
             bytes: served.snapshot.bytes().len(),

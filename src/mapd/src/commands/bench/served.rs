@@ -1,13 +1,13 @@
 //! The map under test: served by a daemon that runs, or by this process for the time of the benchmark.
 
 use crate::serve::{PublishMeta, Server, StopSignal};
-use crate::source::{self, Attaching, Compiling, Opened};
+use crate::source::{self, Attaching, Compiling, Opened, Source};
 use anyhow::{Context, Result, bail};
 use mapd_archive::LAYOUT_ID;
 use mapd_client::{Client, Domain, Snapshot};
 use mapd_compiler::{CompileOptions, ReadOptions};
 use mapd_transport::list_maps;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::mpsc;
 use std::time::Duration;
 
@@ -41,29 +41,25 @@ impl Drop for Temporary {
 ///
 /// Errors: no source; it cannot be read, is rejected or does not fit into shared memory; what `work` says.
 pub(crate) fn with<T>(
-    source: Option<&str>,
+    source: Option<&Source>,
     attaching: Attaching<'_>,
     work: impl FnOnce(&Served) -> Result<T>,
 ) -> Result<T> {
-    let live = match source {
-        None => Some(the_only_map(attaching.domain)?),
-        Some(source) => source.strip_prefix(source::SHARED).map(str::to_owned),
+    let source = match source {
+        None => &Source::Live(the_only_map(attaching.domain)?),
+        Some(source) => source,
     };
-    if let Some(name) = live {
-        let Attaching { domain, attach, wait } = attaching;
-        let client = Client::connect_as(attach, domain, &name, wait)?;
-        let snapshot = client.snapshot();
-        let copy = copy_of(&snapshot)?;
-        let served = Served {
-            domain: domain.clone(),
-            name,
-            snapshot,
-            file: copy.0.clone(),
-            _client: client,
-        };
-        return work(&served);
-    }
-    let source = source.unwrap_or_default();
+    let path = match source {
+        Source::File(path) => path,
+        Source::Live(name) => {
+            let Attaching { domain, attach, wait } = attaching;
+            let client = Client::connect_as(attach, domain, name, wait)?;
+            let snapshot = client.snapshot();
+            let copy = copy_of(&snapshot)?;
+            let (domain, name, file) = (domain.clone(), name.clone(), copy.0.clone());
+            return work(&Served { domain, name, snapshot, file, _client: client });
+        }
+    };
     let (reading, options) = (ReadOptions::default(), CompileOptions::default());
     let compiling = Compiling { reading: &reading, options: &options };
     let opened = source::open(source, compiling, attaching, &mut |_| {})?;
@@ -71,9 +67,10 @@ pub(crate) fn with<T>(
         Opened::Map(snapshot, _) => snapshot,
         Opened::Rejected(_) => bail!("{source} is rejected; `mapd check {source}` says why"),
     };
-    let path = Path::new(source);
-    let copy = (!source::is_archive(path)).then(|| copy_of(&archive)).transpose()?;
-    let file = copy.as_ref().map_or_else(|| path.to_owned(), |copy| copy.0.clone());
+    // Clients are told of the file in words.
+    let is_named = source::is_archive(path) && path.to_str().is_some();
+    let copy = (!is_named).then(|| copy_of(&archive)).transpose()?;
+    let file = copy.as_ref().map_or_else(|| path.clone(), |copy| copy.0.clone());
     serve_meanwhile(&archive, |domain| {
         let client = Client::connect_as(attaching.attach, domain, NAME, WAIT)?;
         let snapshot = client.snapshot();

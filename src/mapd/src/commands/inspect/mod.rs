@@ -11,6 +11,7 @@ mod signals;
 use crate::args::{OpenedSource, Opening};
 use crate::exit::Exit;
 use crate::progress::Manner;
+use crate::source::Source;
 use anyhow::Result;
 use clap::Args;
 use std::io::Write;
@@ -19,7 +20,7 @@ use std::io::Write;
 #[derive(Args)]
 pub(crate) struct InspectCommand {
     /// .xodr, .mapd or shm:NAME
-    source: String,
+    source: Source,
     /// Print JSON, with every figure and table
     #[arg(long)]
     json: bool,
@@ -46,7 +47,12 @@ impl InspectCommand {
         if self.verify {
             snapshot.verify()?;
         }
-        let facts = facts::inspect(&self.source, &snapshot, compilation.as_deref(), self.verify);
+        let facts = facts::inspect(
+            &self.source.to_string(),
+            &snapshot,
+            compilation.as_deref(),
+            self.verify,
+        );
         if self.json {
             serde_json::to_writer_pretty(&mut *out, &facts)?;
             writeln!(out)?;

@@ -27,8 +27,9 @@ const LONGEST: usize = 5 << 20;
 /// Longest file that is read \[bytes\]: of a feed of a whole state, what fits the map is sent.
 const LONGEST_FILE: u64 = 64 << 20;
 
-/// What is laid over which map.
+/// What is laid over which map. Its options may stand behind what is done, too.
 #[derive(Args)]
+#[command(mut_arg("prefix", |arg| arg.global(true)), mut_arg("owner", |arg| arg.global(true)))]
 pub(crate) struct OverlayCommand {
     /// The map
     name: String,

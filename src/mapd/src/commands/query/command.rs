@@ -6,7 +6,7 @@ use super::{Asking, Kind, QueryRunError, RouteArgs, run_under};
 use crate::args::{Opening, lane_types, not_negative};
 use crate::clock::since_epoch;
 use crate::exit::{Exit, UsageError};
-use crate::source;
+use crate::source::Source;
 use anyhow::{Result, bail};
 use clap::Args;
 use mapd_client::localisation::{MarkFilter, VehicleOutline};
@@ -22,7 +22,7 @@ pub(crate) const HELP: &str = include_str!("columns.txt").trim_ascii_end();
 #[derive(Args)]
 pub(crate) struct QueryCommand {
     /// .xodr, .mapd or shm:NAME
-    source: String,
+    source: Source,
     /// Kind of question
     #[arg(value_enum)]
     kind: Kind,
@@ -66,10 +66,12 @@ impl QueryCommand {
             ..NearestOptions::default()
         };
         let Some(snapshot) = self.opening.open(&self.source)? else { return Ok(Exit::Rejected) };
-        let is_compiled = source::is_compiled(&self.source);
-        let document = if is_compiled { "the document" } else { &*self.source };
+        let document = match self.source.is_compiled() {
+            true => "the document".to_owned(),
+            false => self.source.to_string(),
+        };
         let asking = Asking {
-            document,
+            document: &document,
             options: &options,
             outline: self.outline,
             route: &self.route,
@@ -90,7 +92,7 @@ impl QueryCommand {
         if !self.kind.heeds_overlay() {
             bail!(UsageError(format!("{} does not heed --overlay", self.kind.name())));
         }
-        if !self.source.starts_with(source::SHARED) {
+        if self.source.file().is_some() {
             bail!(UsageError("--overlay goes with a map that is served, shm:NAME".to_owned()));
         }
         let at = self.route.at.map_or_else(since_epoch_signed, |at| at.unix_seconds);

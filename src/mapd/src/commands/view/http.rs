@@ -123,7 +123,7 @@ impl Server {
         let is_alone =
             |name: &String| self.maps.iter().filter(|map| map.name() == *name).count() == 1;
         let name = |map: &Served| {
-            Some(map.name()).filter(is_alone).unwrap_or_else(|| map.source().to_owned())
+            Some(map.name()).filter(is_alone).unwrap_or_else(|| map.source().to_string())
         };
         self.maps.iter().map(name).collect()
     }

@@ -5,6 +5,7 @@ mod served;
 
 use crate::args::Opening;
 use crate::exit::{Exit, UsageError};
+use crate::source::Source;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use http::Server;
@@ -20,7 +21,7 @@ pub(crate) const HELP: &str = "Prints the address of the page, and serves it unt
 pub(crate) struct ViewCommand {
     /// .xodr, .mapd or shm:NAME
     #[arg(required = true)]
-    sources: Vec<String>,
+    sources: Vec<Source>,
     /// Port to listen at; 0: any that is free
     #[arg(long, default_value_t = 0)]
     port: u16,

@@ -4,11 +4,10 @@ use crate::args::{OpenedSource, Opening};
 use crate::commands::status;
 use crate::findings;
 use crate::progress::Manner;
-use crate::source::SHARED;
+use crate::source::Source;
 use anyhow::Result;
 use mapd_client::{Client, Domain, Snapshot};
 use mapd_web::page::Findings;
-use std::path::Path;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -32,7 +31,7 @@ const PAUSE: Duration = Duration::from_secs(1);
 
 /// A map that is shown.
 pub(super) struct Served {
-    source: String,
+    source: Source,
     client: Option<Client>,
     /// Where a live map is.
     domain: Option<Domain>,
@@ -45,17 +44,17 @@ impl Served {
     /// Opens a source; none where it is rejected, which has been said.
     ///
     /// Errors: as [`Opening::open`].
-    pub(super) fn open(source: &str, opening: &Opening) -> Result<Option<Self>> {
-        let (client, opened) = match source.strip_prefix(SHARED) {
-            Some(name) => {
+    pub(super) fn open(source: &Source, opening: &Opening) -> Result<Option<Self>> {
+        let (client, opened) = match source {
+            Source::Live(name) => {
                 let client = opening.connect(name)?;
                 let snapshot = client.snapshot();
                 (Some(client), Some(OpenedSource::compiled_before(snapshot)))
             }
-            None => (None, opening.open_with_findings(source, Manner::Bar)?),
+            Source::File(_) => (None, opening.open_with_findings(source, Manner::Bar)?),
         };
         let domain = client.as_ref().map(|_| opening.domain()).transpose()?;
-        let source = source.to_owned();
+        let source = source.clone();
         Ok(opened.map(|OpenedSource { snapshot, compilation }| Self {
             source,
             client,
@@ -67,7 +66,7 @@ impl Served {
     }
 
     /// As it was named.
-    pub(super) fn source(&self) -> &str {
+    pub(super) fn source(&self) -> &Source {
         &self.source
     }
 
@@ -78,16 +77,17 @@ impl Served {
 
     /// What it is called: a file without its folder and kind, a live map by its name.
     pub(super) fn name(&self) -> String {
-        let name = self.source.strip_prefix(SHARED).unwrap_or(&self.source);
-        Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned()
+        self.source.title()
     }
 
     /// What `mapd status --json` says of a live map, `null` for a file.
     ///
     /// Errors: the domain cannot be read.
     pub(super) fn status(&self) -> Result<String> {
-        let name = self.source.strip_prefix(SHARED).unwrap_or_default();
-        self.domain.as_ref().map_or(Ok("null".to_owned()), |domain| status::of_map(domain, name))
+        match (&self.source, &self.domain) {
+            (Source::Live(name), Some(domain)) => status::of_map(domain, name),
+            _ => Ok("null".to_owned()),
+        }
     }
 
     fn lock(&self) -> MutexGuard<'_, Snapshot> {
