@@ -13,10 +13,12 @@ use crate::sample::view;
 use mapd_archive::{ConflictKind, ConflictRow, NO_RELATION, RelationReason, Rows, section_step};
 use mapd_query::compiling::ByRow as _;
 use mapd_query::compiling::SectionCutter;
+use mapd_query::roads::CrossSection;
 use mapd_query::{Lane, LaneId, LaneSection, Map};
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
 use rayon::prelude::*;
+use std::ops::{Range, RangeInclusive};
 
 /// Longest cell `[m]`.
 const CELL: f64 = 0.5;
@@ -33,22 +35,40 @@ const CLEARANCE: f64 = 2.0;
 /// Both ends of a common area on one lane, from its section's start.
 type Interval = (f32, f32);
 
-/// A lane in a zone.
+/// A lane in a zone; its ranges are of the zone's [`Room`].
 struct Candidate {
     row: u32,
     road: u32,
     /// Of places on its section `[m]`.
     step: f64,
+    cells: Range<usize>,
+    blocks: Range<usize>,
+    bounds: Bounds,
+    /// Lanes from which it is entered.
+    entries: Range<usize>,
+    /// Lanes that it leads to.
+    exits: Range<usize>,
+}
+
+/// What the lanes of a zone are made of, lane by lane. The next zone uses the same memory.
+#[derive(Default)]
+struct Room {
     cells: Vec<Cell>,
     /// Of each cell, apart from them: most cells are passed over by their bounds.
     around_cells: Vec<Bounds>,
-    /// Of [`BLOCK`] cells each.
+    /// Of [`BLOCK`] cells of a lane each.
     blocks: Vec<Bounds>,
-    bounds: Bounds,
-    /// Lanes from which it is entered, then those that it leads to.
     links: Vec<LaneId>,
-    /// How many the former are.
-    entries: usize,
+    /// Where a section is cut.
+    cuts: Vec<(f64, CrossSection)>,
+}
+
+/// The cells of a lane, or some that stand behind each other.
+struct Area<'a> {
+    cells: &'a [Cell],
+    around_cells: &'a [Bounds],
+    blocks: &'a [Bounds],
+    bounds: Bounds,
 }
 
 /// Finds all conflicts, by lane; names the junctions that are passed over.
@@ -57,8 +77,9 @@ pub(crate) fn find(rows: &Rows, zones: &[Zone]) -> (Vec<ConflictRow>, Vec<Findin
     let mut found: Vec<ConflictRow> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
+        let of_zone = |room: &mut Room, zone| of_zone(rows, map, zone, room);
         let of_zones: Vec<Option<Vec<ConflictRow>>> =
-            zones.par_iter().map(|zone| of_zone(rows, map, zone)).collect();
+            zones.par_iter().map_init(Room::default, of_zone).collect();
         for (zone, _) in zones.iter().zip(&of_zones).filter(|(_, found)| found.is_none()) {
             let message = format!(
                 "expected a junction of at most {MOST_LANES} lanes, found more; their conflicts are not looked for"
@@ -81,7 +102,7 @@ pub(crate) fn find(rows: &Rows, zones: &[Zone]) -> (Vec<ConflictRow>, Vec<Findin
     (found, passed_over)
 }
 
-fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Option<Vec<ConflictRow>> {
+fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone, room: &mut Room) -> Option<Vec<ConflictRow>> {
     let lanes_of = |stretch: &Stretch| {
         let sections = rows.roads.get(stretch.road as usize).map(|road| road.sections);
         let sections = sections.unwrap_or_default().of(&rows.sections).iter();
@@ -90,12 +111,17 @@ fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone) -> Option<Vec<ConflictRow>> {
     if zone.stretches.iter().flat_map(lanes_of).nth(MOST_LANES).is_some() {
         return None;
     }
-    let candidates: Vec<Candidate> =
-        zone.stretches.iter().flat_map(|stretch| candidates(rows, map, *stretch)).collect();
+    room.clear();
+    let mut candidates = Vec::new();
+    for stretch in &zone.stretches {
+        for section in sections_of(rows, map, *stretch) {
+            room.add_section(map, section, *stretch, &mut candidates);
+        }
+    }
     let mut out = Vec::new();
     for (i, a) in candidates.iter().enumerate() {
         for b in candidates.get(i + 1..).unwrap_or(&[]).iter().filter(|b| b.road != a.road) {
-            if let Some((kind, own, other)) = meet(a, b, zone.kind) {
+            if let Some((kind, own, other)) = room.meet(a, b, zone.kind) {
                 let row = |a: &Candidate, b: &Candidate, own: Interval, other: Interval| {
                     let [from, to] = in_steps(own, a.step);
                     let [other_from, other_to] = in_steps(other, b.step);
@@ -126,111 +152,140 @@ fn in_steps((from, to): Interval, step: f64) -> [u16; 2] {
     [(f64::from(from) / step).floor() as u16, (f64::from(to) / step).ceil() as u16]
 }
 
-/// The lanes of a stretch that somebody travels, as far as they lie in it.
-fn candidates(rows: &Rows, map: Map<'_>, stretch: Stretch) -> Vec<Candidate> {
+/// The sections of a stretch's road.
+fn sections_of<'a>(
+    rows: &Rows,
+    map: Map<'a>,
+    stretch: Stretch,
+) -> impl Iterator<Item = LaneSection<'a>> + use<'a> {
     let road = rows.roads.get(stretch.road as usize);
     let sections = road.map(|road| road.sections.rows(rows.sections.len())).unwrap_or_default();
-    let sections = sections.filter_map(|section| map.section_by_row(section));
-    sections.flat_map(|section| of_section(map, section, stretch)).collect()
-}
-
-fn of_section(map: Map<'_>, section: LaneSection<'_>, stretch: Stretch) -> Vec<Candidate> {
-    let (start, end) = (section.s_start(), section.s_end());
-    let (from, to) = (start.max(stretch.s_from), end.min(stretch.s_to));
-    let is_open = |lane: &Lane<'_>| lane.nodes().any(|node| node.is_open());
-    let lanes = section.lanes().enumerate().filter(|(_, lane)| is_open(lane));
-    let mut lanes = lanes.peekable();
-    let Some(mut cutter) = SectionCutter::new(section).filter(|_| from < to) else {
-        return Vec::new();
-    };
-    if lanes.peek().is_none() {
-        return Vec::new();
-    }
-    let count = (((to - from) / CELL).ceil() as usize).clamp(1, MOST_CELLS);
-    let cuts = (0..=count).map(|i| from + (to - from) * i as f64 / count as f64);
-    let mut sections = Vec::with_capacity(count + 1);
-    sections.extend(cuts.filter_map(|s| Some((s, cutter.cut(s)?))));
-    let origin = map.local_origin().extend(0.0);
-    let candidate = |(at, lane): (usize, Lane<'_>)| {
-        let ends = sections.iter().filter_map(|(s, cut)| {
-            let edges = cutter.lane_edges(at, *s)?;
-            let [inner, outer] = [edges.inner, edges.outer].map(|t| origin + cut.place(t));
-            let s = (s - start) as f32;
-            Some((s, [inner.truncate(), outer.truncate()], 0.5 * (inner.z + outer.z)))
-        });
-        let mut cells: Vec<Cell> = Vec::with_capacity(count);
-        let mut before = None;
-        for end in ends {
-            if let Some((s, edges, z)) = before.replace(end) {
-                cells.push(Cell::new([edges, end.1], 0.5 * (z + end.2), [s, end.0]));
-            }
-        }
-        let around_cells: Vec<Bounds> = cells.iter().map(Cell::bounds).collect();
-        let blocks: Vec<Bounds> = around_cells.chunks(BLOCK).map(around).collect();
-        let mut links: Vec<LaneId> = lane.predecessors().collect();
-        let entries = links.len();
-        links.extend(lane.successors());
-        Candidate {
-            row: lane.lane_id().row(),
-            road: stretch.road,
-            step: section_step(end - start),
-            bounds: blocks.iter().fold(Bounds::NONE, |all, block| all.with(block)),
-            blocks,
-            around_cells,
-            cells,
-            links,
-            entries,
-        }
-    };
-    lanes.map(candidate).collect()
+    sections.filter_map(move |section| map.section_by_row(section))
 }
 
 fn around(cells: &[Bounds]) -> Bounds {
     cells.iter().fold(Bounds::NONE, |all, cell| all.with(cell))
 }
 
-/// How two lanes meet, and the common interval on each.
-fn meet(
-    a: &Candidate,
-    b: &Candidate,
-    zone: ZoneKind,
-) -> Option<(ConflictKind, Interval, Interval)> {
-    if !a.bounds.meets(&b.bounds) {
-        return None;
+impl Room {
+    fn clear(&mut self) {
+        self.cells.clear();
+        self.around_cells.clear();
+        self.blocks.clear();
+        self.links.clear();
     }
-    let have_one = |a: &[LaneId], b: &[LaneId]| a.iter().any(|lane| b.contains(lane));
-    let ([a_entries, a_exits], [b_entries, b_exits]) = (a.links(), b.links());
-    let (merge, part) = (have_one(a_exits, b_exits), have_one(a_entries, b_entries));
-    if part && !merge && zone != ZoneKind::Direct {
-        return None;
+
+    /// Adds the lanes of a section that somebody travels, as far as they lie in the stretch.
+    fn add_section(
+        &mut self,
+        map: Map<'_>,
+        section: LaneSection<'_>,
+        stretch: Stretch,
+        candidates: &mut Vec<Candidate>,
+    ) {
+        let (start, end) = (section.s_start(), section.s_end());
+        let (from, to) = (start.max(stretch.s_from), end.min(stretch.s_to));
+        let is_open = |lane: &Lane<'_>| lane.nodes().any(|node| node.is_open());
+        let lanes = section.lanes().enumerate().filter(|(_, lane)| is_open(lane));
+        let mut lanes = lanes.peekable();
+        let Some(mut cutter) = SectionCutter::new(section).filter(|_| from < to) else { return };
+        if lanes.peek().is_none() {
+            return;
+        }
+        let count = (((to - from) / CELL).ceil() as usize).clamp(1, MOST_CELLS);
+        let places = (0..=count).map(|i| from + (to - from) * i as f64 / count as f64);
+        self.cuts.clear();
+        self.cuts.extend(places.filter_map(|s| Some((s, cutter.cut(s)?))));
+        let step = section_step(end - start);
+        for (at, lane) in lanes {
+            let [cells, blocks] = self.add_cells(map, &mut cutter, at, start);
+            let bounds = around(self.blocks.get(blocks.clone()).unwrap_or_default());
+            let entries = self.add_links(lane.predecessors());
+            let exits = self.add_links(lane.successors());
+            let (row, road) = (lane.lane_id().row(), stretch.road);
+            candidates.push(Candidate { row, road, step, cells, blocks, bounds, entries, exits });
+        }
     }
-    let (own, other) = (common(a, b)?, common(b, a)?);
-    let kind = if zone == ZoneKind::Crossing {
-        ConflictKind::Crossing
-    } else if merge {
-        ConflictKind::Merge
-    } else if !part && cross(a, b) {
-        ConflictKind::Cross
-    } else {
-        ConflictKind::Overlap
-    };
-    Some((kind, own, other))
-}
 
-/// From the first to the last cell of a lane that shares more than a strip with another lane; cells in between do not matter.
-fn common(lane: &Candidate, other: &Candidate) -> Option<Interval> {
-    let mut hint = 0;
-    let mut is_common = |one: &Cell, two: &Cell| share(one, two, &mut hint);
-    let first = lane.first_near(other, false, &mut is_common)?;
-    let last = lane.first_near(other, true, &mut is_common)?;
-    Some((first.s_from, last.s_to))
-}
+    /// Adds the cells of the lane that is the `at`-th of a section from the left, between its cuts, and their blocks.
+    fn add_cells(
+        &mut self,
+        map: Map<'_>,
+        cutter: &mut SectionCutter<'_>,
+        at: usize,
+        s_start: f64,
+    ) -> [Range<usize>; 2] {
+        let (first, first_block) = (self.cells.len(), self.blocks.len());
+        let origin = map.local_origin().extend(0.0);
+        let ends = self.cuts.iter().filter_map(|(s, cut)| {
+            let edges = cutter.lane_edges(at, *s)?;
+            let [inner, outer] = [edges.inner, edges.outer].map(|t| origin + cut.place(t));
+            let s = (s - s_start) as f32;
+            Some((s, [inner.truncate(), outer.truncate()], 0.5 * (inner.z + outer.z)))
+        });
+        let mut before = None;
+        for end in ends {
+            if let Some((s, edges, z)) = before.replace(end) {
+                let cell = Cell::new([edges, end.1], 0.5 * (z + end.2), [s, end.0]);
+                self.around_cells.push(cell.bounds());
+                self.cells.push(cell);
+            }
+        }
+        let own = self.around_cells.get(first..).unwrap_or_default();
+        self.blocks.extend(own.chunks(BLOCK).map(around));
+        [first..self.cells.len(), first_block..self.blocks.len()]
+    }
 
-/// Whether the centre lines of two lanes cross where the lanes share more than a strip.
-fn cross(a: &Candidate, b: &Candidate) -> bool {
-    let mut hint = 0;
-    let crosses = |one: &Cell, two: &Cell| one.centers_cross(two) && share(one, two, &mut hint);
-    a.first_near(b, false, crosses).is_some()
+    fn add_links(&mut self, lanes: impl Iterator<Item = LaneId>) -> Range<usize> {
+        let first = self.links.len();
+        self.links.extend(lanes);
+        first..self.links.len()
+    }
+
+    /// How two lanes meet, and the common interval on each.
+    fn meet(
+        &self,
+        a: &Candidate,
+        b: &Candidate,
+        zone: ZoneKind,
+    ) -> Option<(ConflictKind, Interval, Interval)> {
+        if !a.bounds.meets(&b.bounds) {
+            return None;
+        }
+        let links = |range: &Range<usize>| self.links.get(range.clone()).unwrap_or_default();
+        let have_one = |a: &Range<usize>, b: &Range<usize>| {
+            let (a, b) = (links(a), links(b));
+            a.iter().any(|lane| b.contains(lane))
+        };
+        let (merge, part) = (have_one(&a.exits, &b.exits), have_one(&a.entries, &b.entries));
+        if part && !merge && zone != ZoneKind::Direct {
+            return None;
+        }
+        let (a, b) = (self.area(a), self.area(b));
+        let own = a.common(&b)?;
+        // Nothing of the other lane is common to cells outside these.
+        let near_a = a.around(&own);
+        let other = b.common(&near_a)?;
+        let kind = if zone == ZoneKind::Crossing {
+            ConflictKind::Crossing
+        } else if merge {
+            ConflictKind::Merge
+        } else if !part && near_a.crosses(&b.around(&other)) {
+            ConflictKind::Cross
+        } else {
+            ConflictKind::Overlap
+        };
+        Some((kind, a.interval(&own)?, b.interval(&other)?))
+    }
+
+    fn area(&self, lane: &Candidate) -> Area<'_> {
+        Area {
+            cells: self.cells.get(lane.cells.clone()).unwrap_or_default(),
+            around_cells: self.around_cells.get(lane.cells.clone()).unwrap_or_default(),
+            blocks: self.blocks.get(lane.blocks.clone()).unwrap_or_default(),
+            bounds: lane.bounds,
+        }
+    }
 }
 
 /// Whether two cells whose bounds meet share more than a strip, and not as a bridge does with what is below.
@@ -240,14 +295,48 @@ fn share(one: &Cell, two: &Cell, hint: &mut usize) -> bool {
     !apart && one.overlaps(two, hint)
 }
 
-impl Candidate {
-    /// The first cell, or the last one, for which some cell of the other lane fits whose bounds meet its own.
+impl<'a> Area<'a> {
+    /// From the first to the last cell that shares more than a strip with another lane; cells in between do not matter.
+    fn common(&self, other: &Area<'_>) -> Option<RangeInclusive<usize>> {
+        let mut hint = 0;
+        let mut is_common = |one: &Cell, two: &Cell| share(one, two, &mut hint);
+        let first = self.first_near(other, false, &mut is_common)?;
+        let last = self.first_near(other, true, &mut is_common)?;
+        Some(first..=last)
+    }
+
+    /// Whether the centre lines of two lanes cross where the lanes share more than a strip.
+    fn crosses(&self, other: &Area<'_>) -> bool {
+        let mut hint = 0;
+        let crosses = |one: &Cell, two: &Cell| one.centers_cross(two) && share(one, two, &mut hint);
+        self.first_near(other, false, crosses).is_some()
+    }
+
+    /// The blocks that have these cells.
+    fn around(&self, cells: &RangeInclusive<usize>) -> Self {
+        let blocks = cells.start() / BLOCK..cells.end() / BLOCK + 1;
+        let cells = blocks.start * BLOCK..self.cells.len().min(blocks.end * BLOCK);
+        let blocks = self.blocks.get(blocks).unwrap_or_default();
+        Self {
+            cells: self.cells.get(cells.clone()).unwrap_or_default(),
+            around_cells: self.around_cells.get(cells).unwrap_or_default(),
+            blocks,
+            bounds: around(blocks),
+        }
+    }
+
+    /// Where these cells begin and end.
+    fn interval(&self, cells: &RangeInclusive<usize>) -> Option<Interval> {
+        Some((self.cells.get(*cells.start())?.s_from, self.cells.get(*cells.end())?.s_to))
+    }
+
+    /// Number of the first cell, or the last one, for which some cell of the other lane fits whose bounds meet its own.
     fn first_near(
         &self,
-        other: &Self,
+        other: &Area<'_>,
         backwards: bool,
         mut fits: impl FnMut(&Cell, &Cell) -> bool,
-    ) -> Option<&Cell> {
+    ) -> Option<usize> {
         let turned = |i: usize, count: usize| if backwards { count - 1 - i } else { i };
         for i in 0..self.blocks.len() {
             let block = turned(i, self.blocks.len());
@@ -265,14 +354,14 @@ impl Candidate {
             for i in 0..cells.len() {
                 let at = turned(i, cells.len());
                 let (one, bounds) = (cells.get(at)?, around_cells.get(at)?);
-                for (two, block) in (from..).zip(blocks) {
-                    if !block.meets(bounds) {
+                for (two, around_block) in (from..).zip(blocks) {
+                    if !around_block.meets(bounds) {
                         continue;
                     }
                     let (cells, around_cells) = other.of_block(two);
                     let mut others = around_cells.iter().zip(cells);
                     if others.any(|(around, two)| around.meets(bounds) && fits(one, two)) {
-                        return Some(one);
+                        return Some(block * BLOCK + at);
                     }
                 }
             }
@@ -280,14 +369,8 @@ impl Candidate {
         None
     }
 
-    /// Lanes from which it is entered, and those that it leads to.
-    fn links(&self) -> [&[LaneId]; 2] {
-        let (entries, exits) = self.links.split_at(self.entries);
-        [entries, exits]
-    }
-
     /// The cells of a block, and what is around each.
-    fn of_block(&self, block: usize) -> (&[Cell], &[Bounds]) {
+    fn of_block(&self, block: usize) -> (&'a [Cell], &'a [Bounds]) {
         let from = block * BLOCK;
         let range = from..self.cells.len().min(from + BLOCK);
         let (cells, bounds) = (self.cells.get(range.clone()), self.around_cells.get(range));

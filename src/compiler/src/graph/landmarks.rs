@@ -5,7 +5,7 @@
 
 use super::anchors;
 use super::motor_edges::{CHANGE_LENGTH, CHANGE_TIME, Places, Weight};
-use super::motor_ways::{MotorWays, Reached, both_ways};
+use super::motor_ways::{MotorWays, Reached, Room, both_ways};
 use mapd_archive::{NONE, Rows};
 use rayon::prelude::*;
 use std::cmp::Reverse;
@@ -74,9 +74,10 @@ pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
     let lengths = Columns::of(searched.collect(), places.count, length);
     let starts: Vec<(&MotorWays, u32)> =
         ways().flat_map(|ways| chosen.iter().map(move |place| (ways, *place))).collect();
-    let searched = starts
-        .into_par_iter()
-        .map(|(ways, place)| Searched { ways, reached: ways.distances(place, time) });
+    let searched = starts.into_par_iter().map_init(Room::default, |room, (ways, place)| Searched {
+        ways,
+        reached: ways.distances(place, time, room),
+    });
     let times = Columns::of(searched.collect(), places.count, time);
     let sizes = [lengths.step, times.step];
     let node_of = |place: &u32| places.of_nodes.iter().position(|own| own == place);
@@ -129,7 +130,8 @@ fn choose([ahead, behind]: [&MotorWays; 2], ranks: &[u32], wanted: usize) -> Cho
             *near = near.min(distance);
         });
     };
-    near(&mut nearest, ahead, &ahead.distances(first, length));
+    let [mut room, mut room_behind] = [Room::default(), Room::default()];
+    near(&mut nearest, ahead, &ahead.distances(first, length, &mut room));
     while chosen.places.len() < wanted.min(ranks.len()) {
         // Places that cannot be reached come last: most are small islands.
         let far = |place: &u32| {
@@ -139,8 +141,10 @@ fn choose([ahead, behind]: [&MotorWays; 2], ranks: &[u32], wanted: usize) -> Cho
         };
         let open = (0..ranks.len() as u32).filter(|place| !chosen.places.contains(place));
         let Some(place) = open.max_by_key(far) else { break };
-        let (there, back) =
-            rayon::join(|| ahead.distances(place, length), || behind.distances(place, length));
+        let (there, back) = rayon::join(
+            || ahead.distances(place, length, &mut room),
+            || behind.distances(place, length, &mut room_behind),
+        );
         if chosen.places.is_empty() {
             nearest.fill(f64::INFINITY);
         }

@@ -53,6 +53,17 @@ struct InTree {
     number: u32,
 }
 
+/// What a search works in. The next one uses the same memory: of a large map it is too much to be taken from the system each time.
+#[derive(Default)]
+pub(super) struct Room {
+    /// Distances of roots.
+    roots: Vec<f64>,
+    /// Roots that are reached, the nearest first.
+    open: BinaryHeap<Reverse<(u64, u32)>>,
+    /// Distances of the places of a tree.
+    own: Vec<f64>,
+}
+
 /// The graph forward and backward.
 pub(super) fn both_ways(rows: &Rows, places: &Places) -> [MotorWays; 2] {
     let edges = edges(rows, places);
@@ -153,26 +164,31 @@ impl MotorWays {
     }
 
     /// Distances from a place to all (Dijkstra).
-    pub(super) fn distances(&self, from: u32, weight: impl Fn(&Weight) -> f32 + Copy) -> Reached {
+    pub(super) fn distances(
+        &self,
+        from: u32,
+        weight: impl Fn(&Weight) -> f32 + Copy,
+        Room { roots, open, own }: &mut Room,
+    ) -> Reached {
         let start = self.in_trees[from as usize];
-        let mut roots = vec![f64::INFINITY; self.len()];
+        roots.clear();
+        roots.resize(self.len(), f64::INFINITY);
         if start.number == 0 {
             roots[start.tree as usize] = 0.0;
         }
-        // Distances are not negative: their bits order as they do.
-        let mut open = BinaryHeap::new();
-        let (mut own, mut largest) = (Vec::new(), 0.0);
+        let mut largest = 0.0;
         // The tree where the search begins comes first; if its root is reached from elsewhere, once more.
         let (mut tree, mut distance) = (start.tree as usize, f64::INFINITY);
         loop {
             let here = (tree == start.tree as usize).then_some(start.number);
-            self.spread(tree, distance, here, weight, &mut own);
+            self.spread(tree, distance, here, weight, own);
             largest = own.iter().filter(|d| d.is_finite()).copied().fold(largest, f64::max);
             for exit in self.exits(tree) {
                 let there = own[exit.from as usize] + f64::from(weight(&exit.weight));
                 let known = &mut roots[exit.to as usize];
                 if there < *known {
                     *known = there;
+                    // Distances are not negative: their bits order as they do.
                     open.push(Reverse((there.to_bits(), exit.to)));
                 }
             }
@@ -186,7 +202,7 @@ impl MotorWays {
             let Some(next) = next else { break };
             (tree, distance) = next;
         }
-        Reached::of(&roots, start, largest)
+        Reached::of(roots, start, largest)
     }
 
     /// Hands over the places that are reached with their distances, tree by tree.
@@ -268,8 +284,9 @@ mod tests {
     fn check(edges: &[Edge], count: usize) {
         let ways = MotorWays::of(&Sparse::of(edges.iter().copied(), count));
         let length = |weight: &Weight| weight.length;
+        let mut room = Room::default();
         for start in 0..count as u32 {
-            let reached = ways.distances(start, length);
+            let reached = ways.distances(start, length, &mut room);
             let mut found = vec![f64::INFINITY; count];
             ways.visit(&reached, length, |place, distance| found[place as usize] = distance);
             let expected = expected(edges, count, start);

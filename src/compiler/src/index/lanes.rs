@@ -56,7 +56,11 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
     let archive = view(rows);
     let map = Map::new(&archive, 0);
     let lanes = (0..rows.lanes.len() as u32).into_par_iter();
-    let keys: Vec<Key<LaneSegment>> = lanes.flat_map_iter(|lane| places(map, lane)).collect();
+    let keys = lanes.fold(Vec::new, |mut keys, lane| {
+        add_places(map, lane, &mut keys);
+        keys
+    });
+    let keys = keys.collect::<Vec<_>>().concat();
     if keys.is_empty() {
         return Ok(());
     }
@@ -71,12 +75,11 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
     Ok(())
 }
 
-/// The segments of a lane that have an area, to be ordered by their middles. Both sides of a jump have none between them.
-fn places(map: Map<'_>, lane: u32) -> Vec<Key<LaneSegment>> {
+/// Adds the segments of a lane that have an area, to be ordered by their middles. Both sides of a jump have none between them.
+fn add_places(map: Map<'_>, lane: u32, keys: &mut Vec<Key<LaneSegment>>) {
     let row = map.lane_by_row(lane).filter(|lane| !lane.is_temporary());
-    let Some(line) = row.map(|lane| lane.center_line()) else { return Vec::new() };
+    let Some(line) = row.map(|lane| lane.center_line()) else { return };
     let origin = map.local_origin();
-    let mut keys = Vec::with_capacity(line.len());
     let (mut before, mut segment) = (None, 0);
     for LinePoint { s, position } in line.points() {
         let here = (position.truncate() - origin, s);
@@ -87,7 +90,6 @@ fn places(map: Map<'_>, lane: u32) -> Vec<Key<LaneSegment>> {
             segment += 1;
         }
     }
-    keys
 }
 
 /// Both ends of a segment, and s there.

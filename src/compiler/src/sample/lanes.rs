@@ -154,13 +154,13 @@ fn lines(
     sections: &[u32],
     options: &CompileOptions,
     allowance: &Allowance,
-    Room { memory, sampled }: &mut Room,
+    Room { memory, sampled, bytes }: &mut Room,
 ) -> Lines {
     let mut lines = Lines {
         frames: Vec::with_capacity(sections.len()),
         lanes: Vec::new(),
         stations: Vec::new(),
-        bytes: Vec::new(),
+        bytes: std::mem::take(bytes),
         unfit: Vec::new(),
         bounds: [DVec3::INFINITY, DVec3::NEG_INFINITY],
     };
@@ -187,7 +187,10 @@ fn lines(
         }
         write(sampled, start, options, before, &mut lines);
     }
-    lines.bytes.shrink_to_fit();
+    // Exactly as many as there are: they are kept for a while.
+    let written = lines.bytes.as_slice().into();
+    *bytes = std::mem::replace(&mut lines.bytes, written);
+    bytes.clear();
     lines
 }
 
@@ -195,11 +198,13 @@ fn lines(
 struct Room {
     memory: Memory,
     sampled: Sampled,
+    /// Points as they are written.
+    bytes: Vec<u8>,
 }
 
 impl Room {
     fn new() -> Self {
-        Self { memory: Memory::new(), sampled: Sampled::default() }
+        Self { memory: Memory::new(), sampled: Sampled::default(), bytes: Vec::new() }
     }
 }
 
@@ -226,7 +231,8 @@ impl Sampled {
             u64::from(comparable((sample.s - s_start) as f32)) << u32::BITS | number as u64
         };
         order.extend(samples.iter().enumerate().map(key));
-        order.sort_unstable();
+        // Each line is in order: the stable sort merges such runs.
+        order.sort();
         stations.clear();
         ranks.clear();
         ranks.resize(samples.len(), 0);

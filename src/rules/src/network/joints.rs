@@ -34,8 +34,14 @@ pub struct LaneJoint<'a> {
     pub link: super::LaneLinkFacts,
     /// What touches there.
     pub neighbor: Option<Neighbor<'a>>,
-    /// The lane that is named.
-    pub target: Option<&'a LaneFacts>,
+    network: &'a Network,
+}
+
+impl<'a> LaneJoint<'a> {
+    /// The lane that is named. It is looked for: what needs no look at the lanes beyond is to be asked first.
+    pub fn target(&self) -> Option<&'a LaneFacts> {
+        self.network.lane(self.neighbor?.section, self.link.id)
+    }
 }
 
 impl Contact {
@@ -176,20 +182,16 @@ impl Network {
             lanes.flat_map(move |(lane_rank, lane)| {
                 let neighbors = neighbors[usize::from(lane.id < 0)];
                 Contact::BOTH.into_iter().flat_map(move |end| {
-                    self.links_of(lane, end).iter().map(move |link| {
-                        let neighbor = neighbors[end as usize];
-                        let target = neighbor.and_then(|n| self.lane(n.section, link.id));
-                        LaneJoint {
-                            road,
-                            section,
-                            rank,
-                            lane,
-                            lane_rank,
-                            end,
-                            link: *link,
-                            neighbor,
-                            target,
-                        }
+                    self.links_of(lane, end).iter().map(move |link| LaneJoint {
+                        road,
+                        section,
+                        rank,
+                        lane,
+                        lane_rank,
+                        end,
+                        link: *link,
+                        neighbor: neighbors[end as usize],
+                        network: self,
                     })
                 })
             })

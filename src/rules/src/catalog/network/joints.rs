@@ -154,12 +154,11 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
             }
             return;
         }
-        let Some(lane) = joint.target else { return };
-        // Of lanes that merge here, only some corners are those of the one that they go on as.
-        let is_merging = network.links_of(lane, end).len() > 1;
         // Within a road, a pair of lanes is looked at once.
         let is_seen = joint.road.id == road.id && joint.end == Contact::Start && joint.rank > 0;
-        if is_merging || is_seen {
+        let Some(lane) = (!is_seen).then(|| joint.target()).flatten() else { return };
+        // Of lanes that merge here, only some corners are those of the one that they go on as.
+        if network.links_of(lane, end).len() > 1 {
             return;
         }
         let other = LaneEnd { road, section, lane, end };

@@ -146,7 +146,7 @@ fn orphans(network: &Network, sink: &mut Sink<'_>) {
     network.lane_joints().for_each(|joint| {
         // Lane 0 is in every section.
         if let Some(neighbor) =
-            joint.neighbor.filter(|_| joint.target.is_none() && joint.link.id != 0)
+            joint.neighbor.filter(|_| joint.link.id != 0 && joint.target().is_none())
         {
             let road = network.name(neighbor.road.id);
             let expected = format_args!("a lane of road {road} at s = {}", neighbor.section.s);
@@ -163,11 +163,12 @@ fn orphans(network: &Network, sink: &mut Sink<'_>) {
 
 fn both_ways(network: &Network, sink: &mut Sink<'_>) {
     network.lane_joints().for_each(|joint| {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
+        let Some(neighbor) = joint.neighbor else { return };
         // Where a road within a junction links to one outside of it, the way back is the junction's.
         if joint.road.junction.is_some() && neighbor.road.junction.is_none() {
             return;
         }
+        let Some(target) = joint.target() else { return };
         let back = network.links_of(target, neighbor.end);
         if !back.iter().any(|link| link.id == joint.lane.id) {
             let road = network.name(neighbor.road.id);
@@ -179,9 +180,10 @@ fn both_ways(network: &Network, sink: &mut Sink<'_>) {
 
 fn opening(network: &Network, sink: &mut Sink<'_>) {
     network.lane_joints().for_each(|joint| {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
-        let opens = target.width(neighbor.end) <= NONE.value;
-        if opens && joint.lane.width(joint.end) > NONE.value {
+        let is_open = joint.lane.width(joint.end) > NONE.value;
+        let Some(neighbor) = joint.neighbor.filter(|_| is_open) else { return };
+        let Some(target) = joint.target() else { return };
+        if target.width(neighbor.end) <= NONE.value {
             add(
                 network,
                 &joint,
@@ -202,8 +204,8 @@ fn opening(network: &Network, sink: &mut Sink<'_>) {
 
 fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
     let joints = network.lane_joints();
-    joints.filter(|joint| joint.end == end && joint.target.is_some()).for_each(|joint| {
-        if joint.lane.width(end) <= NONE.value {
+    joints.filter(|joint| joint.end == end).for_each(|joint| {
+        if joint.lane.width(end) <= NONE.value && joint.target().is_some() {
             add(
                 network,
                 &joint,
@@ -240,11 +242,12 @@ fn no_width_at_end(network: &Network, sink: &mut Sink<'_>) {
 
 fn abrupt(network: &Network, sink: &mut Sink<'_>) {
     network.lane_joints().for_each(|joint| {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
         let is_one_of_many = network.links_of(joint.lane, joint.end).len() > 1;
+        let Some(neighbor) = joint.neighbor.filter(|_| is_one_of_many) else { return };
+        let Some(target) = joint.target() else { return };
         let own = joint.lane.width(joint.end);
         let width = target.width(neighbor.end);
-        if is_one_of_many && (own <= NONE.value || width <= NONE.value) {
+        if own <= NONE.value || width <= NONE.value {
             add(
                 network,
                 &joint,
@@ -273,12 +276,14 @@ fn without_partner(network: &Network, sink: &mut Sink<'_>) {
 
 fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
     network.lane_joints().for_each(|joint| {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
-        let is_outside = joint.road.junction.is_none() && neighbor.road.junction.is_none();
         let links = network.links_of(joint.lane, joint.end);
         let is_second =
             links.len() > 1 && links.first().is_none_or(|first| first.id != joint.link.id);
-        if neighbor.road.id != joint.road.id && is_outside && is_second && is_drivable(target.kind)
+        let Some(neighbor) = joint.neighbor.filter(|_| is_second) else { return };
+        let is_outside = joint.road.junction.is_none() && neighbor.road.junction.is_none();
+        if neighbor.road.id != joint.road.id
+            && is_outside
+            && joint.target().is_some_and(|target| is_drivable(target.kind))
         {
             add(
                 network,
@@ -293,10 +298,10 @@ fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
 
 fn directions(network: &Network, sink: &mut Sink<'_>) {
     network.lane_joints().for_each(|joint| {
-        let (Some(neighbor), Some(target)) = (joint.neighbor, joint.target) else { return };
-        if !is_drivable(joint.lane.kind) || !is_drivable(target.kind) {
+        let Some(neighbor) = joint.neighbor.filter(|_| is_drivable(joint.lane.kind)) else {
             return;
-        }
+        };
+        let Some(target) = joint.target().filter(|target| is_drivable(target.kind)) else { return };
         let (Some(own), Some(other)) = (
             Network::goes_along(joint.road, joint.lane),
             Network::goes_along(neighbor.road, target),

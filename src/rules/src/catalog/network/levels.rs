@@ -51,7 +51,7 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
         }
     }
     network.lane_joints().for_each(|joint| {
-        let Some(target) = joint.target.filter(|target| target.is_level != joint.lane.is_level)
+        let Some(target) = joint.target().filter(|target| target.is_level != joint.lane.is_level)
         else {
             return;
         };
