@@ -263,7 +263,7 @@ impl TargetFrame {
     }
 }
 
-/// Moves a map that has been read into the frame that is asked for. None where none is, where the map has no roads, and where
+/// Moves a map that has been read into the frame that is asked for. None where none is, which tells what lies too far away, where the map has no roads, and where
 /// it cannot be, which is an error among the findings.
 pub(crate) fn apply(
     draft: &mut Draft,
