@@ -30,6 +30,8 @@ pub struct Road<'a> {
     pub(crate) map: Map<'a>,
     number: u32,
     row: &'a ArchivedRoadRow,
+    /// The plan view. Where it lies is known without the row, which is waited for beside it.
+    geometries: &'a [ArchivedGeometryRow],
 }
 
 /// What a road is linked to at one of its ends.
@@ -90,7 +92,12 @@ pub(crate) fn kept(s: f64, end: f64) -> Result<(f64, Clamped), QueryError> {
 impl<'a> Road<'a> {
     #[inline]
     pub(crate) fn new(map: Map<'a>, number: u32) -> Option<Self> {
-        Some(Self { map, number, row: map.tables().roads.get(number as usize)? })
+        let tables = map.tables();
+        let row = tables.roads.get(number as usize)?;
+        // An archive of an earlier release has no lines apart.
+        let line = tables.road_lines.get(number as usize).map(|line| line.geometries());
+        let line = line.unwrap_or_else(|| row.geometries());
+        Some(Self { map, number, row, geometries: line.of(tables.geometries) })
     }
 
     /// Dense id.
@@ -295,13 +302,10 @@ impl<'a> Road<'a> {
         (cos, sin, angle)
     }
 
-    /// The plan view. Where it lies is known without the road's row, which is waited for beside it.
+    /// The plan view.
     #[inline]
     pub(crate) fn geometries(&self) -> &'a [ArchivedGeometryRow] {
-        let tables = self.map.tables();
-        let line = tables.road_lines.get(self.number as usize).map(|line| line.geometries());
-        // An archive of an earlier release has no lines apart.
-        line.unwrap_or_else(|| self.row.geometries()).of(tables.geometries)
+        self.geometries
     }
 
     /// The geometry that holds at s: the last that starts at or before it.
