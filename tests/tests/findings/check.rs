@@ -109,6 +109,26 @@ fn included_files_have_places_of_their_own() {
     assert!(out.contains("error[mapd:xml.include], rejects the map"), "{out}");
 }
 
+/// A file that was missing below the root took out whichever part stood before it, and the rest was accepted.
+#[test]
+fn a_missing_file_is_not_blamed_on_what_stands_before() {
+    let include = "<include file=\"nope.xodr\"/>\n";
+    let road = |id: u32| document("").replace("id=\"1\"", &format!("id=\"{id}\""));
+    let road =
+        |id| road(id).split_once("<road").map(|(_, rest)| format!("<road{rest}")).expect("a road");
+    let two = document("").replace("</OpenDRIVE>", &road(2));
+    for (text, verdict, code) in [
+        (two.replace("<road id=\"2\"", &format!("{include}<road id=\"2\"")), "rejects the map", 4),
+        (two.replace("</OpenDRIVE>", &format!("{include}</OpenDRIVE>")), "rejects the map", 4),
+        (two.replacen("</road>", &format!("{include}</road>"), 1), "takes out the part", 3),
+    ] {
+        let (out, ended) = check("a.xodr", text.as_bytes(), &[]);
+        assert!(out.contains(&format!("error[mapd:xml.include], {verdict}: expected")), "{out}");
+        assert!(out.contains("found ./nope.xodr: ") || out.contains("/nope.xodr: "), "{out}");
+        assert_eq!(ended, Some(code), "{out}");
+    }
+}
+
 #[test]
 fn limits_are_options() {
     let text = document(&"<tree/>".repeat(5));
