@@ -4,7 +4,7 @@
 use mapd::control::{ReloadReport, ReloadResult, Request, Response, Trigger};
 use mapd_archive::{Feature, FeatureRow};
 use mapd_client::Client;
-use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain};
+use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain, until};
 use mapd_tests::two_maps::TwoMaps;
 use std::fs;
 use std::path::Path;
@@ -426,6 +426,27 @@ fn generations_rise_whatever_the_clock_does() {
     let kept = format!("{}map.generation", place.domain().prefix());
     fs::write(place.cache().join(kept), ahead.to_string()).expect("written");
     assert_eq!(generation(), ahead + 1, "the clock is back, the numbers are not");
+}
+
+/// A watched file that was gone left no trace, and a pipe in its place held up the reloads of all maps.
+#[test]
+fn a_watched_file_that_is_gone_is_told() {
+    let scene = Scene::new(&["--watch"]);
+    let file = scene.maps.path();
+    let fails = |word: &str| {
+        until(word, || {
+            let report = scene.place.state("map").last_reload?;
+            (report.result == ReloadResult::Failed && report.reason.contains(word)).then_some(())
+        });
+        scene.has(0);
+    };
+    fs::remove_file(&file).expect("removed");
+    fails("No such file");
+    assert!(Command::new("mkfifo").arg(&file).status().expect("mkfifo runs").success());
+    fails("not a file");
+    fs::remove_file(&file).expect("removed");
+    scene.maps.put(1);
+    scene.gets(1);
 }
 
 #[test]
