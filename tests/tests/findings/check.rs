@@ -109,6 +109,35 @@ fn included_files_have_places_of_their_own() {
     assert!(out.contains("error[mapd:xml.include], rejects the map"), "{out}");
 }
 
+/// Lanes without links that nobody drives along were called driving lanes.
+#[test]
+fn only_driving_lanes_are_dead() {
+    let road = |id: u32, x: u32, link: &str, kind: &str| {
+        format!(
+            "<road id=\"{id}\" length=\"10\" junction=\"-1\"><link>{link}</link><planView><geometry s=\"0\" x=\"{x}\" y=\"0\" hdg=\"0\" \
+             length=\"10\"><line/></geometry></planView><lanes><laneSection s=\"0\"><center><lane id=\"0\" type=\"none\"/></center><right><lane \
+             id=\"-1\" type=\"{kind}\"><width sOffset=\"0\" a=\"3\" b=\"0\" c=\"0\" d=\"0\"/></lane></right></laneSection></lanes></road>"
+        )
+    };
+    for (kind, is_told) in [
+        ("driving", true),
+        ("bus", true),
+        ("border", false),
+        ("restricted", false),
+        ("stop", false),
+    ] {
+        let next = "<successor elementType=\"road\" elementId=\"2\" contactPoint=\"start\"/>";
+        let last = "<predecessor elementType=\"road\" elementId=\"1\" contactPoint=\"end\"/>";
+        let text = format!(
+            "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/>{}{}</OpenDRIVE>",
+            road(1, 0, next, kind),
+            road(2, 10, last, kind)
+        );
+        let (out, _) = check("a.xodr", text.as_bytes(), &[]);
+        assert_eq!(out.contains("topology.dead_lane"), is_told, "{kind}: {out}");
+    }
+}
+
 /// A file that was missing below the root took out whichever part stood before it, and the rest was accepted.
 #[test]
 fn a_missing_file_is_not_blamed_on_what_stands_before() {
