@@ -109,6 +109,31 @@ fn included_files_have_places_of_their_own() {
     assert!(out.contains("error[mapd:xml.include], rejects the map"), "{out}");
 }
 
+/// Messages had `found expected`, twice a number, or a version of the standard that there is not.
+#[test]
+fn messages_are_sentences() {
+    let line = "s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"10\"><line/>";
+    let lane = "<center><lane id=\"0\" type=\"none\" level=\"no\"/></center>";
+    for (from, to, words) in [
+        (
+            line,
+            "s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"10\"><arc curvature=\"1000\"/>",
+            "expected a curve that turns by at most 256 rad, found 10000 rad",
+        ),
+        (
+            line,
+            "s=\"2\" x=\"0\" y=\"0\" hdg=\"0\" length=\"10\"><line/>",
+            "expected s = 0, found 2",
+        ),
+        ("revMinor=\"8\"", "revMinor=\"99\"", "deprecated in OpenDRIVE 1.9, found"),
+    ] {
+        let text = document("").replace("<center><lane id=\"0\"/></center>", lane);
+        assert!(text.contains(from), "{from}");
+        let (out, _) = check("a.xodr", text.replace(from, to).as_bytes(), &[]);
+        assert!(out.contains(words), "{words}: {out}");
+    }
+}
+
 /// Lanes without links that nobody drives along were called driving lanes.
 #[test]
 fn only_driving_lanes_are_dead() {
