@@ -1,6 +1,6 @@
 //! What a compilation yields besides rows.
 
-use crate::quarantine::{Cause, Exclusions, PartKind, QuarantinedPart, Unit, Units};
+use crate::quarantine::{Cause, Exclusions, PartKind, QuarantinedPart, Unit, Units, is_outside};
 use mapd_archive::{Provenance, Rows};
 use mapd_rules::Settings;
 use mapd_rules::catalog::{COMPUTABLE, building};
@@ -163,7 +163,7 @@ impl Collector {
         unusable.sort_by_key(|finding| finding.span.start);
         let mut explained = vec![false; unusable.len()];
         for mut finding in read {
-            let unit = self.units.of(finding.span.start);
+            let unit = self.units.of(finding.span.start).filter(|_| !is_outside(&finding));
             if !without.is_empty() && unit.is_some_and(|unit| self.is_left_out(unit, without)) {
                 continue;
             }
@@ -243,8 +243,8 @@ impl Collector {
             if rejects {
                 let (rule, start) = (finding.rule, finding.span.start);
                 let message = finding.message.clone();
-                let file = place.file.clone();
-                self.causes.push(Cause { rule, start, message, file, line, column });
+                let (file, is_outside) = (place.file.clone(), is_outside(&finding));
+                self.causes.push(Cause { rule, start, message, file, line, column, is_outside });
             }
             self.diagnostics.push(Diagnostic { finding, rejects, file: place.file, line, column });
         }

@@ -94,15 +94,17 @@ fn crs(definition: &str) -> Option<Crs> {
         .iter()
         .filter(|(key, value)| BODY.contains(key) && !(*key == "towgs84" && is_zero(value)))
         .collect();
+    // A datum's ellipsoid may be named beside it.
+    let is_wgs84 = |word: &(&str, &str)| matches!(word, ("datum" | "ellps", "WGS84"));
     let (earth, spheroid) = match body[..] {
-        [] | [("datum" | "ellps", "WGS84")] => {
+        _ if body.iter().all(|word| is_wgs84(word)) => {
             ("WGS 84\",DATUM[\"WGS_1984", "WGS 84\",6378137,298.257223563")
         }
         [("ellps", "GRS80")] => ("GRS 80\",DATUM[\"unknown", "GRS 1980\",6378137,298.257222101"),
         _ => return None,
     };
     let is_plain = words.iter().all(|(key, _)| {
-        ["proj", "zone", "south", "datum", "units", "no_defs", "type"].contains(key)
+        ["proj", "zone", "south", "datum", "ellps", "units", "no_defs", "type"].contains(key)
     });
     if is_plain && value("proj") == Some("utm") && value("datum").is_some() {
         let [north, south] = UTM;
@@ -300,7 +302,10 @@ mod tests {
             ("+proj=utm +zone=32 +datum=WGS84 +units=m +no_defs", Some(32632)),
             ("+proj=utm +zone=56 +south +datum=WGS84", Some(32756)),
             ("+proj=utm +zone=32 +ellps=GRS80 +units=m", Some(0)),
+            ("+proj=utm +zone=32 +datum=WGS84 +ellps=WGS84 +units=m", Some(32632)),
             ("+proj=tmerc +lat_0=48 +lon_0=11 +datum=WGS84", Some(0)),
+            ("+proj=tmerc +lat_0=48 +lon_0=11 +ellps=WGS84 +datum=WGS84", Some(0)),
+            ("+proj=utm +zone=32 +datum=WGS84 +ellps=GRS80", None),
             ("+proj=utm +zone=32 +ellps=GRS80 +towgs84=0,0,0,0,0,0,0", Some(0)),
             ("+proj=utm +zone=32", Some(0)),
             ("+proj=utm +zone=32 +ellps=GRS80 +towgs84=598.1,73.7,418.2", None),

@@ -113,13 +113,22 @@ impl Document {
 
     /// Takes over the entries of another document: those of the same name are replaced in their place.
     ///
-    /// Errors: there would be too many; nothing is changed then.
+    /// Errors: there would be too many, or one has the name of an entry that another feed said; nothing is changed then.
     pub fn apply(&mut self, other: Self, limits: &Limits) -> Result<(), DocumentError> {
         let mut all = self.entries.clone();
         let mut known: std::collections::BTreeMap<String, usize> =
             all.iter().enumerate().map(|(i, entry)| (entry.id.clone(), i)).collect();
-        for entry in other.entries {
+        for (number, entry) in other.entries.into_iter().enumerate() {
             match known.get(&entry.id).and_then(|i| all.get_mut(*i)) {
+                // What one feed closed, another would open.
+                Some(own) if own.feed != entry.feed => {
+                    let why = match own.feed.as_str() {
+                        "" => "an entry of no feed has it already".to_owned(),
+                        feed => format!("an entry of the feed {feed:?} has it already"),
+                    };
+                    let (id, field) = (entry.id, "id".to_owned());
+                    return Err(DocumentError::Entry { id, number, field, why });
+                }
                 Some(own) => *own = entry,
                 None => {
                     known.insert(entry.id.clone(), all.len());
@@ -138,10 +147,18 @@ impl Document {
         self.entries.iter_mut().for_each(|entry| feed.clone_into(&mut entry.feed));
     }
 
-    /// Removes entries of a feed that another document does not have.
-    pub fn forget_of_feed(&mut self, feed: &str, kept: &Self) {
+    /// Removes entries of a feed that another document does not have, unless it could not be read what became of them
+    /// ([`Feed::unread`](crate::Feed::unread)).
+    pub fn forget_of_feed(&mut self, feed: &str, kept: &Self, unread: &[String]) {
         let kept: BTreeSet<&str> = kept.entries.iter().map(|entry| entry.id.as_str()).collect();
-        self.entries.retain(|entry| entry.feed != feed || kept.contains(entry.id.as_str()));
+        let unread: BTreeSet<&str> = unread.iter().map(String::as_str).collect();
+        let is_unread = |id: &str| {
+            let features = id.match_indices('/').filter_map(|(end, _)| id.get(..end));
+            ["", id].into_iter().chain(features).any(|name| unread.contains(name))
+        };
+        self.entries.retain(|entry| {
+            entry.feed != feed || kept.contains(entry.id.as_str()) || is_unread(&entry.id)
+        });
     }
 
     /// Removes entries by name; the first name that there is none of, if there is one: nothing is removed then.

@@ -32,6 +32,8 @@ pub struct Feed {
     pub places: Vec<String>,
     /// What has no entry, in the file's order.
     pub findings: Vec<FeedFinding>,
+    /// Names of entries, or of features with all their entries, that cannot be read: what they said before must stay. An empty one stands for all.
+    pub unread: Vec<String>,
 }
 
 /// Whether a text begins as GeoJSON does, and is to be read as a feed.
@@ -46,7 +48,8 @@ pub fn is_feed(text: &str) -> bool {
 
 /// Reads a feed. Lines are matched with this tolerance `[m]`.
 ///
-/// Errors: it is not a feed, or has too many entries. What is wrong with one feature is a finding, and the others are taken.
+/// Errors: it is not a feed, or has too many entries. What is wrong with one feature is a finding, and the others are taken; unless it is sure that it
+/// closes nothing, it is noted as unread.
 pub fn read_feed(text: &str, tolerance: f64, limits: &Limits) -> Result<Feed, DocumentError> {
     let wrong = |place: &str, why: String| DocumentError::Json { place: place.to_owned(), why };
     let value: Value =
@@ -54,18 +57,48 @@ pub fn read_feed(text: &str, tolerance: f64, limits: &Limits) -> Result<Feed, Do
     let features = value.get("features").and_then(Value::as_array);
     let features = features.ok_or_else(|| wrong("features", "expected a list".to_owned()))?;
     let mut feed = Feed::default();
+    feed.findings.extend(other_version(&value));
     for (i, feature) in features.iter().enumerate() {
         let place = format!("features[{i}]");
         match serde_path_to_error::deserialize::<_, feed::Feature>(feature) {
             Ok(feature) => Reader { feed: &mut feed, place, tolerance }.feature(feature),
             Err(error) => {
                 let place = format!("{place}.{}", error.path());
-                feed.findings.push(FeedFinding { place, why: error.into_inner().to_string() });
+                let mut why = error.into_inner().to_string();
+                if !closes_nothing(feature) {
+                    why += STAYS;
+                    let id = feature.get("id").and_then(Value::as_str).unwrap_or_default();
+                    feed.unread.push(id.to_owned());
+                }
+                feed.findings.push(FeedFinding { place, why });
             }
         }
     }
     feed.check(limits)?;
     Ok(feed)
+}
+
+/// Names of what cannot be read that are told apart; of more, all stays.
+const MOST_UNREAD: usize = 1000;
+
+/// Said of what cannot be read.
+const STAYS: &str = "; what it said before stays";
+
+/// Whether a feature, as far as it can be read, says that it is no work zone, or has ended.
+fn closes_nothing(feature: &Value) -> bool {
+    let said = |pointer| feature.pointer(pointer).and_then(Value::as_str);
+    said("/properties/core_details/event_type").is_some_and(|event| event != "work-zone")
+        || said("/properties/event_status").is_some_and(feed::is_over)
+}
+
+/// Tells that a feed is of a version whose words are others.
+fn other_version(feed: &Value) -> Option<FeedFinding> {
+    ["feed_info", "road_event_feed_info"].into_iter().find_map(|info| {
+        let version = feed.get(info)?.get("version")?.as_str()?;
+        let why = format!("version {version}: read as one of 4.0 to 4.2");
+        (!["4.0", "4.1", "4.2"].contains(&version))
+            .then(|| FeedFinding { place: format!("{info}.version"), why })
+    })
 }
 
 /// Lanes across a zone's line.
@@ -92,14 +125,19 @@ impl Feed {
             .map(|(entry, place)| {
                 let twice = || ("id".to_owned(), "another entry of the feed has it".to_owned());
                 let twice = (!names.insert(entry.id.clone())).then(twice);
-                let wrong = twice.or_else(|| entry.wrong());
+                let stays = |(field, why)| (field, why + STAYS);
+                let wrong = twice.or_else(|| entry.wrong().map(stays));
                 let wrong = wrong.map(|(field, why)| format!("{field}: {why}"));
+                self.unread.extend(wrong.is_some().then(|| entry.id.clone()));
                 self.findings.extend(
                     wrong.iter().map(|why| FeedFinding { place: place.clone(), why: why.clone() }),
                 );
                 wrong.is_some()
             })
             .collect();
+        if self.unread.len() > MOST_UNREAD {
+            self.unread = vec![String::new()];
+        }
         let mut each = wrong.iter();
         self.document.entries.retain(|_| !each.next().is_some_and(|wrong| *wrong));
         let mut each = wrong.iter();
@@ -132,7 +170,7 @@ impl Reader<'_> {
         if zone.core_details.event_type != EventType::WorkZone {
             return self.find(".properties.core_details.event_type", "only work zones are taken");
         }
-        if matches!(zone.event_status.as_deref(), Some("completed" | "cancelled")) {
+        if zone.event_status.as_deref().is_some_and(feed::is_over) {
             return;
         }
         let core = &zone.core_details;

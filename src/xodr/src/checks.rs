@@ -28,9 +28,10 @@ fn words(versions: Versions) -> String {
 }
 
 impl Cursor<'_> {
-    /// The version in words, as findings name it.
+    /// The version in words, as findings name it; of one that there is not, that which is checked instead.
     pub(crate) fn standard(&self) -> String {
-        let name = if self.stated.is_empty() { NAMES[self.version] } else { &self.stated };
+        let stated = self.stated.as_str();
+        let name = if NAMES.contains(&stated) { stated } else { NAMES[self.version] };
         format!("OpenDRIVE {name}")
     }
 

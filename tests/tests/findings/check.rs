@@ -109,6 +109,80 @@ fn included_files_have_places_of_their_own() {
     assert!(out.contains("error[mapd:xml.include], rejects the map"), "{out}");
 }
 
+/// Messages had `found expected`, twice a number, or a version of the standard that there is not.
+#[test]
+fn messages_are_sentences() {
+    let line = "s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"10\"><line/>";
+    let lane = "<center><lane id=\"0\" type=\"none\" level=\"no\"/></center>";
+    for (from, to, words) in [
+        (
+            line,
+            "s=\"0\" x=\"0\" y=\"0\" hdg=\"0\" length=\"10\"><arc curvature=\"1000\"/>",
+            "expected a curve that turns by at most 256 rad, found 10000 rad",
+        ),
+        (
+            line,
+            "s=\"2\" x=\"0\" y=\"0\" hdg=\"0\" length=\"10\"><line/>",
+            "expected s = 0, found 2",
+        ),
+        ("revMinor=\"8\"", "revMinor=\"99\"", "deprecated in OpenDRIVE 1.9, found"),
+    ] {
+        let text = document("").replace("<center><lane id=\"0\"/></center>", lane);
+        assert!(text.contains(from), "{from}");
+        let (out, _) = check("a.xodr", text.replace(from, to).as_bytes(), &[]);
+        assert!(out.contains(words), "{words}: {out}");
+    }
+}
+
+/// Lanes without links that nobody drives along were called driving lanes.
+#[test]
+fn only_driving_lanes_are_dead() {
+    let road = |id: u32, x: u32, link: &str, kind: &str| {
+        format!(
+            "<road id=\"{id}\" length=\"10\" junction=\"-1\"><link>{link}</link><planView><geometry s=\"0\" x=\"{x}\" y=\"0\" hdg=\"0\" \
+             length=\"10\"><line/></geometry></planView><lanes><laneSection s=\"0\"><center><lane id=\"0\" type=\"none\"/></center><right><lane \
+             id=\"-1\" type=\"{kind}\"><width sOffset=\"0\" a=\"3\" b=\"0\" c=\"0\" d=\"0\"/></lane></right></laneSection></lanes></road>"
+        )
+    };
+    for (kind, is_told) in [
+        ("driving", true),
+        ("bus", true),
+        ("border", false),
+        ("restricted", false),
+        ("stop", false),
+    ] {
+        let next = "<successor elementType=\"road\" elementId=\"2\" contactPoint=\"start\"/>";
+        let last = "<predecessor elementType=\"road\" elementId=\"1\" contactPoint=\"end\"/>";
+        let text = format!(
+            "<OpenDRIVE><header revMajor=\"1\" revMinor=\"7\"/>{}{}</OpenDRIVE>",
+            road(1, 0, next, kind),
+            road(2, 10, last, kind)
+        );
+        let (out, _) = check("a.xodr", text.as_bytes(), &[]);
+        assert_eq!(out.contains("topology.dead_lane"), is_told, "{kind}: {out}");
+    }
+}
+
+/// A file that was missing below the root took out whichever part stood before it, and the rest was accepted.
+#[test]
+fn a_missing_file_is_not_blamed_on_what_stands_before() {
+    let include = "<include file=\"nope.xodr\"/>\n";
+    let road = |id: u32| document("").replace("id=\"1\"", &format!("id=\"{id}\""));
+    let road =
+        |id| road(id).split_once("<road").map(|(_, rest)| format!("<road{rest}")).expect("a road");
+    let two = document("").replace("</OpenDRIVE>", &road(2));
+    for (text, verdict, code) in [
+        (two.replace("<road id=\"2\"", &format!("{include}<road id=\"2\"")), "rejects the map", 4),
+        (two.replace("</OpenDRIVE>", &format!("{include}</OpenDRIVE>")), "rejects the map", 4),
+        (two.replacen("</road>", &format!("{include}</road>"), 1), "takes out the part", 3),
+    ] {
+        let (out, ended) = check("a.xodr", text.as_bytes(), &[]);
+        assert!(out.contains(&format!("error[mapd:xml.include], {verdict}: expected")), "{out}");
+        assert!(out.contains("found ./nope.xodr: ") || out.contains("/nope.xodr: "), "{out}");
+        assert_eq!(ended, Some(code), "{out}");
+    }
+}
+
 #[test]
 fn limits_are_options() {
     let text = document(&"<tree/>".repeat(5));

@@ -1,6 +1,6 @@
 //! Feeds of work zones: every word that the specification of WZDx 4.2 lists becomes an entry or a finding.
 
-use mapd_overlay::{Feed, Kind, Limits, read_feed};
+use mapd_overlay::{Document, Feed, Kind, Limits, read_feed};
 use serde_json::{Value, json};
 
 const IMPACTS: [&str; 12] = [
@@ -236,4 +236,73 @@ fn what_else_a_feed_may_have() {
     }
     let feed = read_as("feed_info", "Point", "work-zone", &json!({}));
     assert_eq!((said(&feed), findings(&feed)), (vec![], vec!["features[0].geometry.type"]));
+}
+
+/// A feed of a work zone whose feature is changed so.
+fn changed(change: impl FnOnce(&mut Value)) -> Feed {
+    let mut feed = json!({"type": "FeatureCollection", "features": [{
+        "id": "zone", "type": "Feature",
+        "properties": {
+            "core_details": {"event_type": "work-zone", "data_source_id": "works"},
+            "start_date": "2026-05-04T06:00:00Z", "end_date": "2026-05-04T18:00:00Z",
+            "vehicle_impact": "all-lanes-closed",
+        },
+        "geometry": {"type": "LineString", "coordinates": [[11.0, 48.0], [11.1, 48.1]]},
+    }]});
+    change(&mut feed["features"][0]);
+    read_feed(&feed.to_string(), 15.0, &Limits::default()).expect("a feed")
+}
+
+/// An unreadable date took the zone, and its closure of before, off the road.
+#[test]
+fn what_cannot_be_read_keeps_what_it_said() {
+    let wrong_date = json!("2026-11-31T00:00:00Z");
+    let cases: [(&str, Value, Option<&str>); 8] = [
+        ("/properties/end_date", wrong_date.clone(), Some("zone")),
+        ("/properties/end_date", json!("2026-05-04T05:00:00Z"), Some("zone")),
+        ("/geometry", json!(null), Some("zone")),
+        ("/properties/core_details/event_type", json!(5), Some("zone")),
+        ("/id", json!(7), Some("")),
+        ("", json!(null), Some("")),
+        ("/properties/core_details/event_type", json!("detour"), None),
+        ("/geometry/coordinates", json!([]), Some("zone")),
+    ];
+    for (place, value, unread) in cases {
+        let feed = changed(|feature| {
+            *feature.pointer_mut(place).expect("there") = value;
+        });
+        assert_eq!(feed.unread.first().map(String::as_str), unread, "{place}");
+        assert_eq!((feed.findings.is_empty(), said(&feed)), (false, vec![]), "{place}");
+    }
+    let ended = changed(|feature| {
+        feature["properties"]["end_date"] = wrong_date;
+        feature["properties"]["event_status"] = json!("cancelled");
+    });
+    assert_eq!((ended.findings.len(), ended.unread.len()), (1, 0));
+
+    let mut laid = changed(|_| {}).document;
+    laid.set_feed("works");
+    let left = |unread: &[&str]| {
+        let mut laid = laid.clone();
+        let unread: Vec<String> = unread.iter().map(|&name| name.to_owned()).collect();
+        laid.forget_of_feed("works", &Document::default(), &unread);
+        laid.entries.iter().map(|entry| entry.id.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(left(&[]), [""; 0]);
+    assert_eq!(left(&["zone"]), ["zone", "zone/closed"]);
+    assert_eq!(left(&["zone/closed"]), ["zone/closed"]);
+    assert_eq!(left(&["zon"]), [""; 0]);
+    assert_eq!(left(&[""]), ["zone", "zone/closed"]);
+}
+
+/// Version 3.1 was read as if it were 4.2, without a word.
+#[test]
+fn other_versions_are_told() {
+    for (version, is_told) in [("3.1", true), ("4.0", false), ("4.2", false), ("5.0", true)] {
+        let feed =
+            json!({"feed_info": {"version": version}, "type": "FeatureCollection", "features": []});
+        let feed = read_feed(&feed.to_string(), 15.0, &Limits::default()).expect("a feed");
+        let place = vec!["feed_info.version"];
+        assert_eq!(findings(&feed), if is_told { place } else { vec![] }, "{version}");
+    }
 }

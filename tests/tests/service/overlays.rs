@@ -72,6 +72,23 @@ pub(super) fn closed(id: &str, lane: i32) -> String {
     )
 }
 
+/// Two feeds with an entry of one name: the later took the place of the earlier, and lifted its closure when it went.
+#[test]
+fn a_feed_takes_no_entry_of_another() {
+    let scene = Scene::new();
+    let _daemon = scene.place.serve(&scene.args());
+    scene.ends(&["apply", "-", "--feed", "county"], &closed("1", -1), 0);
+    for args in [&["apply", "-", "--feed", "city"][..], &["apply", "-"]] {
+        let said = scene.ends(args, &closed("1", 1), 2);
+        assert!(said.contains("\"1\"") && said.contains("the feed \"county\""), "{said}");
+    }
+    scene.ends(&["apply", "-", "--feed", "city"], r#"{"entries":[]}"#, 0);
+    assert_eq!(scene.list()["entries"][0]["lanes"][0]["lane"], -1);
+    scene.ends(&["apply", "-", "--feed", "county"], r#"{"entries":[]}"#, 0);
+    scene.ends(&["apply", "-", "--feed", "city"], &closed("1", 1), 0);
+    assert_eq!(scene.list()["entries"][0]["feed"], "city");
+}
+
 /// The entry that closes lane −1 of road 1 at 15 m.
 pub(super) fn closes(snapshot: &Snapshot) -> Option<String> {
     let view = snapshot.view(UNIX_EPOCH);
@@ -456,6 +473,12 @@ fn a_feed_applied_again_is_all_that_it_says() {
         scene.ends(&["apply", feed.to_str().expect("a name")], "", 0)
     };
     let said = apply("active");
+    assert_eq!(ids(), ["own", "second", "zone", "zone/closed"], "{said}");
+    // A date that cannot be read lifts nothing.
+    fs::write(&feed, zone("active").to_string().replace("2036-01-01", "2036-02-31"))
+        .expect("written");
+    let said = scene.ends(&["apply", feed.to_str().expect("a name")], "", 3);
+    assert!(said.contains("features[0].properties.end_date"), "{said}");
     assert_eq!(ids(), ["own", "second", "zone", "zone/closed"], "{said}");
     apply("cancelled");
     assert_eq!(ids(), ["own", "second"]);

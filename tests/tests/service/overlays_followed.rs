@@ -54,6 +54,18 @@ fn a_folder_is_followed() {
     becomes(&scene, &["other", "own"]);
     put("a.json", &closed("a", 1));
     becomes(&scene, &["a", "own"]);
+    // A file by another name has its entries still.
+    fs::rename(folder.join("a.json"), folder.join("c.json")).expect("renamed");
+    until("the other name", || {
+        (scene.list()["entries"][1]["feed"] == "works/c.json").then_some(())
+    });
+    // An entry of another file is not taken over, and is laid once that file has gone.
+    put("d.json", &closed("a", -1));
+    std::thread::sleep(std::time::Duration::from_secs(1));
+    assert_eq!(scene.list()["entries"][1]["feed"], "works/c.json");
+    fs::remove_file(folder.join("c.json")).expect("removed");
+    becomes(&scene, &["own"]);
+    becomes(&scene, &["a", "own"]);
 }
 
 /// A single file is followed: applied, replaced whole, told once where it is wrong. One that is missing removes nothing, nor does a daemon that goes.

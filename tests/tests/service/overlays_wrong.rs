@@ -73,7 +73,8 @@ fn megabytes_of_entries_are_refused_whole() {
         let found = format!("{} bytes", long.len());
         refused(&long, &[&found, "at most 5242880", "--overlay-bytes"]);
         // The daemon itself, whoever sends them.
-        let action = OverlayAction::Apply { document: long, feed: None, signature: None };
+        let (feed, unread, ended) = (None, Vec::new(), Vec::new());
+        let action = OverlayAction::Apply { document: long, feed, unread, ended, signature: None };
         let request = Request::Overlay { map: "town".to_owned(), action };
         let reason = match scene.place.ask("town", &request) {
             Some(Response::Wrong { reason }) => reason,

@@ -217,6 +217,48 @@ fn metrics_are_read_over_http_by_this_machine_only() {
     assert!(refused.status.code() == Some(2) && said.contains("--metrics-open"), "{said}");
 }
 
+/// Metrics and status said that nobody subscribes, whoever did.
+#[test]
+fn subscribers_are_counted() {
+    let place = place();
+    let args = ["--log", "json", "--metrics", "127.0.0.1:0"];
+    let mut daemon = Logged::start(&mut place.command(), &args);
+    let address = daemon.event("metrics at")["address"].as_str().expect("an address").to_owned();
+    let clients = || metric(&address, "mapd_map_clients{map=\"town\"}");
+    let before = clients().expect("a number");
+    let subscriber = mapd_client::Client::connect_as(
+        mapd_client::Attach::Subscriber,
+        &place.domain(),
+        "town",
+        PATIENCE,
+    );
+    let subscriber = subscriber.expect("attaches");
+    assert_eq!(clients(), Some(before + 1.0));
+    assert_eq!(place.state("town").subscribers as f64, before + 1.0);
+    drop(subscriber);
+    assert_eq!(daemon.terminate(), Some(0));
+}
+
+/// A reload that failed was information without fields, and the compiler's reason bore the program's name.
+#[test]
+fn a_failed_reload_is_a_warning() {
+    let (place, folder) = (place(), tempfile::tempdir().expect("a folder"));
+    let file = folder.path().join("town.xodr");
+    std::fs::copy(town(), &file).expect("copied");
+    let mut command = place.command();
+    let mut daemon = Logged::spawn(command.arg("--load").arg(&file).args(["--log", "json"]));
+    daemon.event("serving");
+    std::fs::remove_file(&file).expect("removed");
+    let _ = place.reload("town");
+    let compiler = daemon.event("No such file");
+    let said = compiler["message"].as_str().expect("text");
+    assert!(compiler["level"] == "ERROR" && !said.starts_with("mapd:"), "{compiler}");
+    let event = daemon.event("reload: failed");
+    assert_eq!((&event["level"], &event["map"]), (&"WARN".into(), &"town".into()), "{event}");
+    assert!(event["error"].as_str().is_some_and(|error| error.contains("No such file")), "{event}");
+    assert_eq!(daemon.terminate(), Some(0));
+}
+
 /// Who connected and said nothing once kept everybody else waiting, two seconds each.
 #[test]
 fn no_reader_of_metrics_waits_for_another() {

@@ -4,7 +4,7 @@
 use mapd::control::{ReloadReport, ReloadResult, Request, Response, Trigger};
 use mapd_archive::{Feature, FeatureRow};
 use mapd_client::Client;
-use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain};
+use mapd_tests::test_domain::{Daemon, PATIENCE, TestDomain, until};
 use mapd_tests::two_maps::TwoMaps;
 use std::fs;
 use std::path::Path;
@@ -426,6 +426,46 @@ fn generations_rise_whatever_the_clock_does() {
     let kept = format!("{}map.generation", place.domain().prefix());
     fs::write(place.cache().join(kept), ahead.to_string()).expect("written");
     assert_eq!(generation(), ahead + 1, "the clock is back, the numbers are not");
+}
+
+/// A file that an editor had left in a folder stopped the start, and a name that is none was not said to be which file's.
+#[test]
+fn hidden_files_of_a_folder_are_no_maps() {
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let town = fs::read(mapd_tests::carried("town.xodr")).expect("the town");
+    for name in [".hidden.xodr", "town.xodr"] {
+        fs::write(folder.path().join(name), &town).expect("written");
+    }
+    let load = folder.path().display().to_string();
+    let daemon = place.serve(&[&load]);
+    Client::connect_in(&place.domain(), "town", PATIENCE).expect("attaches");
+    assert_eq!(daemon.stop(), 0);
+    let dash = folder.path().join("-dash.xodr");
+    fs::write(&dash, &town).expect("written");
+    let refused = place.command().args(["--load", &load]).output().expect("ends");
+    assert!(refused.status.code() == Some(2), "{}", text(&refused));
+    assert!(text(&refused).contains(&dash.display().to_string()), "{}", text(&refused));
+}
+
+/// A watched file that was gone left no trace, and a pipe in its place held up the reloads of all maps.
+#[test]
+fn a_watched_file_that_is_gone_is_told() {
+    let scene = Scene::new(&["--watch"]);
+    let file = scene.maps.path();
+    let fails = |word: &str| {
+        until(word, || {
+            let report = scene.place.state("map").last_reload?;
+            (report.result == ReloadResult::Failed && report.reason.contains(word)).then_some(())
+        });
+        scene.has(0);
+    };
+    fs::remove_file(&file).expect("removed");
+    fails("No such file");
+    assert!(Command::new("mkfifo").arg(&file).status().expect("mkfifo runs").success());
+    fails("not a file");
+    fs::remove_file(&file).expect("removed");
+    scene.maps.put(1);
+    scene.gets(1);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Why something is left out.
 
-use mapd_xodr::rule_ids;
+use mapd_xodr::{Finding, rule_ids};
 use std::sync::Arc;
 
 /// A finding because of which something is left out.
@@ -14,18 +14,26 @@ pub(crate) struct Cause {
     pub(crate) file: Arc<str>,
     pub(crate) line: u32,
     pub(crate) column: u32,
+    /// Whether it stands in no part, whichever part begins before it.
+    pub(crate) is_outside: bool,
+}
+
+/// Whether a finding stands between the parts: at a file that was to be included below the root. Nobody knows what is missing there.
+pub(crate) fn is_outside(finding: &Finding) -> bool {
+    finding.rule == rule_ids::INCLUDE && !finding.path.contains('/')
 }
 
 impl Cause {
-    /// Whether leaving something out would help: not where the document cannot be read on.
+    /// Whether leaving something out would help: not where the document cannot be read on, or nobody knows what is missing.
     pub(crate) fn can_be_left_out(&self) -> bool {
-        !matches!(
-            self.rule,
-            rule_ids::XML
-                | rule_ids::LIMIT
-                | rule_ids::ENCODING
-                | rule_ids::COMPRESSION
-                | rule_ids::ROOT
-        )
+        !self.is_outside
+            && !matches!(
+                self.rule,
+                rule_ids::XML
+                    | rule_ids::LIMIT
+                    | rule_ids::ENCODING
+                    | rule_ids::COMPRESSION
+                    | rule_ids::ROOT
+            )
     }
 }

@@ -9,7 +9,7 @@ mod exclusions;
 mod policy;
 mod units;
 
-pub(crate) use cause::Cause;
+pub(crate) use cause::{Cause, is_outside};
 pub(crate) use exclusions::Exclusions;
 pub use policy::{OnError, Policy};
 pub use units::PartKind;

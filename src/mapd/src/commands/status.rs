@@ -37,6 +37,9 @@ struct Status {
     state: Option<MapState>,
     /// What its daemon says about itself.
     daemon: Option<Daemon>,
+    /// Whether its daemon would answer this user; to others its heartbeat says that it lives.
+    #[serde(skip)]
+    may_ask: bool,
 }
 
 /// A daemon, its maps left out.
@@ -50,7 +53,12 @@ struct Daemon {
 }
 
 impl Status {
-    fn of(map: MapStatus, subscribers: usize, daemon: Option<&DaemonStatus>) -> Self {
+    fn of(
+        map: MapStatus,
+        subscribers: usize,
+        daemon: Option<&DaemonStatus>,
+        may_ask: bool,
+    ) -> Self {
         let info = map.info;
         let state = daemon.and_then(|daemon| daemon.maps.iter().find(|m| m.name == map.name));
         Self {
@@ -72,6 +80,7 @@ impl Status {
                 uptime_seconds: daemon.uptime_seconds,
                 cache: daemon.cache.clone(),
             }),
+            may_ask,
         }
     }
 }
@@ -82,7 +91,8 @@ impl Status {
         let name = &self.name;
         match &self.state {
             _ if !self.alive => Some(format!("{name}: no daemon")),
-            None => Some(format!("{name}: its daemon does not answer")),
+            None if self.may_ask => Some(format!("{name}: its daemon does not answer")),
+            None => None,
             Some(state) if state.self_queries.last_failed == Some(true) => {
                 Some(format!("{name}: {}", state.self_queries.last_error))
             }
@@ -148,11 +158,14 @@ pub(crate) fn of_map(domain: &Domain, name: &str) -> Result<String> {
 /// Maps, with what their daemons say.
 fn all(domain: &Domain, maps: Vec<MapStatus>) -> Vec<Status> {
     let daemons = daemons(domain, &maps);
+    // The socket is the owner's alone, as all that has mode 0600.
+    let user = rustix::process::geteuid();
+    let may_ask = user.is_root() || user.as_raw() == domain.owner();
     let of = |map: MapStatus| {
         let its = |daemon: &&DaemonStatus| daemon.maps.iter().any(|m| m.name == map.name);
         let daemon = daemons.iter().find(its);
         let subscribers = map.info.and_then(|_| count_subscriptions(domain, &map.name));
-        Status::of(map, subscribers.unwrap_or(0), daemon)
+        Status::of(map, subscribers.unwrap_or(0), daemon, may_ask)
     };
     maps.into_iter().map(of).collect()
 }
@@ -194,7 +207,12 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
             map.subscribers,
             since
         )?;
-        let Some(state) = &map.state else { continue };
+        let Some(state) = &map.state else {
+            if map.alive && map.may_ask {
+                writeln!(out, "    its daemon does not answer")?;
+            }
+            continue;
+        };
         if let Some(staged) = &state.staged {
             writeln!(out, "    staged: generation {}, {}", staged.generation, size(staged.bytes))?;
         }

@@ -3,13 +3,18 @@
 use super::status::{CacheStatus, DaemonStatus, MapState};
 use crate::clock::unix_ns;
 use mapd_client::Domain;
+use mapd_transport::count_subscriptions;
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
+
+/// How long subscriptions are counted: of a domain whose lock a stopped process holds, or with very many maps, the rest is left out.
+const COUNTING: Duration = Duration::from_millis(300);
 
 /// The daemon's own account of itself, shared by its threads. A lock is held for microseconds only.
 #[derive(Debug)]
 pub struct Board {
     started: Instant,
+    domain: Domain,
     status: Mutex<DaemonStatus>,
 }
 
@@ -25,13 +30,26 @@ impl Board {
             cache,
             maps: Vec::new(),
         };
-        Self { started: Instant::now(), status: Mutex::new(status) }
+        Self { started: Instant::now(), domain: domain.clone(), status: Mutex::new(status) }
     }
 
     /// What is so now.
     pub fn status(&self) -> DaemonStatus {
         let mut status = self.lock().clone();
         status.uptime_seconds = self.started.elapsed().as_secs_f64();
+        status
+    }
+
+    /// What is so now, with how many subscribe: that is counted anew, which may wait for the attach lock.
+    pub fn status_with_subscribers(&self) -> DaemonStatus {
+        let mut status = self.status();
+        let begun = Instant::now();
+        for map in &mut status.maps {
+            if begun.elapsed() > COUNTING {
+                break;
+            }
+            map.subscribers = count_subscriptions(&self.domain, &map.name).unwrap_or(0);
+        }
         status
     }
 

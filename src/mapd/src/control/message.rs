@@ -49,6 +49,12 @@ pub enum OverlayAction {
         /// The feed that it is all of: of that, what it does not have is removed.
         #[serde(default)]
         feed: Option<String>,
+        /// Of this feed, what could not be read, and therefore stays as it was ([`mapd_overlay::Feed::unread`]).
+        #[serde(default)]
+        unread: Vec<String>,
+        /// Feeds that have ended: their entries are removed in the same revision, or become this feed's.
+        #[serde(default)]
+        ended: Vec<String>,
         /// Of the document's bytes, in minisign's format.
         #[serde(default)]
         signature: Option<String>,

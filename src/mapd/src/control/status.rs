@@ -57,7 +57,7 @@ pub struct MapState {
     pub staged: Option<GenerationStatus>,
     /// Generations before that `mapd rollback` can go back to.
     pub rollbacks: usize,
-    /// Subscriptions when last looked, at most about a second ago.
+    /// Subscriptions; 0 also where there was no time to count them.
     pub subscribers: usize,
     /// Shared memory of the served and the staged generation \[bytes\]; older ones are in `held`.
     pub memory_bytes: u64,

@@ -167,7 +167,8 @@ impl DaemonArgs {
         }
         let mut names = BTreeSet::new();
         for map in &maps {
-            check_name(&map.name, &mut names)?;
+            let place = |error| UsageError(format!("{}: {error}", map.source.display()));
+            check_name(&map.name, &mut names).map_err(place)?;
             // What makes no sense is wrong usage now, and not a reload that fails later.
             let wrong = |error: anyhow::Error| UsageError(format!("map {}: {error:#}", map.name));
             map.options.parse().map_err(wrong)?;

@@ -1,7 +1,6 @@
 //! Reload, rollback, activate: what is served changes, or stays what it is with a reason.
 
 use super::child::Refusal;
-use super::log::say;
 use super::maps::{Kept, Maps, Staged, UNASKED_RELOADS};
 use super::orders::{Change, Job};
 use super::prepare::Prepared;
@@ -282,7 +281,13 @@ impl Maps {
         let seconds = change.begun.elapsed().as_secs_f64();
         let (trigger, at_unix_ns) = (change.trigger, unix_ns());
         let report = ReloadReport { trigger, result, generation, reason, at_unix_ns, seconds };
-        say(&format!("map {}: {}", change.map, sentence(&report)));
+        let map = &change.map;
+        match report.result {
+            ReloadResult::Failed => {
+                tracing::warn!(map, error = report.reason, "map {map}: {}", sentence(&report))
+            }
+            _ => tracing::info!(map, generation, "map {map}: {}", sentence(&report)),
+        }
         let kept = report.clone();
         self.board.map(&change.map, |state| {
             state.failed += u64::from(kept.result == ReloadResult::Failed);

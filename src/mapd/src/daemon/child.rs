@@ -1,6 +1,6 @@
 //! A daemon's compiler: what becomes of a map that ends its child.
 
-use super::log::{relay, say};
+use super::log::relay;
 use super::settings::MapSettings;
 use crate::args::ThreadCount;
 use crate::child::{self, ChildReport, End, Output, Work};
@@ -150,7 +150,7 @@ pub(crate) fn nameless() -> io::Result<(std::fs::File, PathBuf)> {
 
 /// Says why a map is not compiled.
 pub(crate) fn tell(map: &str, refusal: &Refusal) {
-    say(&format!("map {map}: {}", refusal.reason()));
+    tracing::error!(map, error = refusal.reason(), "map {map}: {}", refusal.reason());
 }
 
 #[cfg(test)]

@@ -283,12 +283,11 @@ impl Maps {
         self.tell_overlay(map);
     }
 
-    /// Looks how many subscribe, and what readers hold.
+    /// Looks what readers hold.
     pub(super) fn look(&mut self) {
         let held = self.server.look_who_holds();
         for map in self.server.maps() {
             self.board.map(&map.name, |state| {
-                state.subscribers = map.subscribers;
                 state.held = held.iter().filter(|held| held.map == map.name).cloned().collect();
             });
         }

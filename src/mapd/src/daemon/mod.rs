@@ -56,7 +56,7 @@ use std::time::{Duration, Instant};
 use watch::{WatchList, Watched, Watcher};
 use worker::Worker;
 
-/// Longest wait of a status for the latest numbers of subscribers; then it has those of a moment ago.
+/// Longest wait of a status for what readers hold now; then it has what they held a moment ago.
 const LOOK_PATIENCE: Duration = Duration::from_millis(100);
 
 /// What is said of a stop during the start.
@@ -270,7 +270,7 @@ fn answer_with(
                 orders.give(Order::Look(done));
                 // The main thread may be copying a large map: then the board says what was so before.
                 let _ = looked.recv_timeout(LOOK_PATIENCE);
-                return Response::Status(Box::new(board.status()));
+                return Response::Status(Box::new(board.status_with_subscribers()));
             }
             Request::Reload { map, stage } => (map, Trigger::Reload, stage),
             Request::Rollback { map, stage } => (map, Trigger::Rollback, stage),

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 /// An order.
 pub(crate) enum Order {
-    /// Look at the subscribers, so that the board says what is so now; then say so.
+    /// Look what readers hold, so that the board says what is so now; then say so.
     Look(Sender<()>),
     /// Change what is served.
     Change(Change),

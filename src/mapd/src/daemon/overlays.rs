@@ -49,9 +49,17 @@ pub(crate) struct OverlayOrder {
 
 /// What is to be done, read.
 pub(crate) enum Action {
-    Apply { document: Document, feed: Option<String>, signed: Option<Signed> },
+    Apply {
+        document: Document,
+        feed: Option<String>,
+        unread: Vec<String>,
+        ended: Vec<String>,
+        signed: Option<Signed>,
+    },
     List,
-    Remove { ids: Vec<String> },
+    Remove {
+        ids: Vec<String>,
+    },
     Clear,
 }
 
@@ -68,12 +76,14 @@ impl Reader {
     /// Errors: what is wrong with it, or with its signature.
     pub(crate) fn read(&self, map: &str, action: OverlayAction) -> Result<Action> {
         Ok(match action {
-            OverlayAction::Apply { document, feed, signature } => {
+            OverlayAction::Apply { document, feed, unread, ended, signature } => {
                 let (from, trust) = (feed.as_deref(), self.trust.as_ref());
                 let (document, signed) =
                     kept::take(document, signature, from, trust, &self.limits)?;
                 self.desk.place_on_served(map, &document);
-                Action::Apply { document, feed, signed }
+                // That a feed has ended nobody signs.
+                let ended = if trust.is_some() { Vec::new() } else { ended };
+                Action::Apply { document, feed, unread, ended, signed }
             }
             OverlayAction::List => Action::List,
             OverlayAction::Remove { ids } => Action::Remove { ids },
@@ -264,9 +274,12 @@ impl Maps {
         let limits = &self.overlays.rules.limits;
         let (what, applied, from) = match action {
             Action::List => return self.listed(map),
-            Action::Apply { document, feed, signed } => {
+            Action::Apply { document, feed, unread, ended, signed } => {
                 if let Some(feed) = &feed {
-                    next.document.forget_of_feed(feed, &document);
+                    next.document.forget_of_feed(feed, &document, &unread);
+                }
+                for feed in &ended {
+                    next.document.forget_of_feed(feed, &Document::default(), &[]);
                 }
                 let ids: Vec<String> = document.entries.iter().map(|e| e.id.clone()).collect();
                 match next.document.apply(document, limits) {

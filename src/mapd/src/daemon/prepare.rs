@@ -71,6 +71,13 @@ impl Preparer {
         let prepared = if source::is_archive(&map.source) {
             self.open_archive(map)
         } else {
+            // The compiler would wait for who writes into a pipe, and with it all other maps.
+            if map.watch
+                && let Err(error) = open_regular(&map.source)
+            {
+                let why = format!("opening {}: {error}", map.source.display());
+                return Err(Refusal::Failed(why));
+            }
             match self.look_up(map, anew)? {
                 Some(found) => Ok(found),
                 None => self.compile(map),

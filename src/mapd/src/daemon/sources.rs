@@ -28,8 +28,10 @@ pub(crate) fn expand(files: &[PathBuf]) -> Result<Vec<PathBuf>> {
     Ok(out)
 }
 
+/// Whether a folder's file is a map. One whose name begins with a dot is passed over, as by shells: programs write under such names.
 fn is_map(path: &Path) -> bool {
-    path.extension().is_some_and(|e| e == "xodr" || e == "xodrz" || e == "mapd")
+    let is_hidden = path.file_name().is_some_and(|name| name.as_encoded_bytes().starts_with(b"."));
+    !is_hidden && path.extension().is_some_and(|e| e == "xodr" || e == "xodrz" || e == "mapd")
 }
 
 pub(crate) fn stem(file: &Path) -> Result<String> {

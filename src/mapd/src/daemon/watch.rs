@@ -23,6 +23,9 @@ const LOOK: Duration = Duration::from_millis(100);
 /// finished then.
 const QUIET: Duration = Duration::from_millis(400);
 
+/// A map's file that has been gone for so long is not being replaced: reading it fails, which is told.
+const GONE: Duration = Duration::from_secs(3);
+
 /// A state of several files; `None`: one that is not there.
 pub(crate) type Identities = Vec<Option<Identity>>;
 
@@ -103,15 +106,26 @@ fn settled(
     let mut settled = Vec::new();
     for (map, watched) in list.lock().unwrap_or_else(PoisonError::into_inner).iter_mut() {
         let seen = identities(&watched.files);
-        // A file that is being replaced may be gone for a moment; one that stays away is not read.
-        let is_gone = |(read, seen): (&Option<_>, &Option<_>)| read.is_some() && seen.is_none();
-        if seen == watched.read || watched.read.iter().zip(&seen).any(is_gone) {
+        if seen == watched.read {
             changed.remove(map);
             continue;
         }
+        // A file that is being replaced may be gone for a moment. Of one that stays away, only the map's own is told by reading it: without an
+        // included one there may be less of the map.
+        let is_gone = |(read, seen): (&Option<_>, &Option<_>)| read.is_some() && seen.is_none();
+        let mut gone = watched.read.iter().zip(&seen).map(is_gone);
+        let (own_is_gone, others_are) = (gone.next() == Some(true), gone.any(|is_gone| is_gone));
+        let quiet = match own_is_gone {
+            true => GONE,
+            false if others_are => {
+                changed.remove(map);
+                continue;
+            }
+            false => QUIET,
+        };
         match changed.get(map) {
             Some((same, since)) if *same == seen => {
-                if now.duration_since(*since) >= QUIET {
+                if now.duration_since(*since) >= quiet {
                     changed.remove(map);
                     watched.read = seen;
                     settled.push((map.clone(), watched.stage));
@@ -149,7 +163,9 @@ mod tests {
         assert_eq!(look(2800), 1);
         assert_eq!(look(2900) + look(9000), 0, "it has been told");
         fs::rename(&file, folder.path().join("away")).expect("renamed");
-        assert_eq!(look(10_000) + look(20_000), 0, "there is nothing to read");
+        assert_eq!(look(10_000) + look(12_900), 0, "it may come back");
+        assert_eq!(look(13_000), 1, "it is not replaced, and that is told");
+        assert_eq!(look(13_100) + look(20_000), 0, "once");
         fs::write(folder.path().join("new"), "four").expect("written");
         fs::rename(folder.path().join("new"), &file).expect("renamed");
         assert_eq!(look(30_000) + look(30_500), 1);

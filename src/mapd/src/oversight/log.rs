@@ -92,9 +92,11 @@ pub(crate) fn say(message: &str) {
 /// Target of lines that another process has written.
 const RELAYED: &str = "relayed";
 
-/// Relays a line of the compiler unchanged; in JSON it is the message of an event.
+/// Relays a line of the compiler unchanged; in JSON it is the message of an event. What it says of itself is why it failed.
 pub(crate) fn relay(line: &str) {
-    if line.contains(": error[") {
+    if let Some(failure) = line.strip_prefix("mapd: ") {
+        tracing::error!("{failure}");
+    } else if line.contains(": error[") {
         tracing::error!(target: RELAYED, "{line}");
     } else if line.contains(": warning[") {
         tracing::warn!(target: RELAYED, "{line}");

@@ -111,7 +111,8 @@ impl Oversight {
     ) -> Result<Self> {
         let page = port.map(|listener| {
             let board = board.clone();
-            page::Page::serve(listener, move || metrics::text(&board.status())).context("--metrics")
+            let text = move || metrics::text(&board.status_with_subscribers());
+            page::Page::serve(listener, text).context("--metrics")
         });
         let page = page.transpose()?;
         let stop = Arc::new(Stop::default());

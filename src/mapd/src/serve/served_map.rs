@@ -13,7 +13,6 @@ use iceoryx2::port::notifier::Notifier;
 use iceoryx2::port::publisher::Publisher;
 use iceoryx2::port::update_connections::UpdateConnections;
 use iceoryx2::prelude::{AllocationStrategy, Node};
-use iceoryx2::service::port_factory::PortFactory as _;
 use mapd_transport::{
     AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, SegmentLocation, Share,
     TransportService,
@@ -193,11 +192,6 @@ impl MapPorts {
     /// What is served.
     pub(crate) fn info(&self) -> Option<&GenerationInfo> {
         self.current.as_ref().map(|current| &current.info)
-    }
-
-    /// Subscriptions now.
-    pub(crate) fn subscribers(&self) -> usize {
-        self.services.map.dynamic_config().number_of_subscribers()
     }
 
     /// Takes the wake-ups that have come, so that the next one is seen.

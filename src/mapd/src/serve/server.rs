@@ -55,8 +55,6 @@ pub struct ServedMap {
     pub info: Option<GenerationInfo>,
     /// What waits for [`Server::activate`].
     pub staged: Option<GenerationInfo>,
-    /// Subscriptions now.
-    pub subscribers: usize,
 }
 
 /// Serves maps, one generation each. Dropping it removes everything of its own from shared memory; clients keep what they
@@ -280,7 +278,6 @@ impl Server {
             name: name.clone(),
             info: ports.info().copied(),
             staged: self.staged.get(name).map(|staged| *staged.info()),
-            subscribers: ports.subscribers(),
         };
         self.maps.iter().map(map).collect()
     }

@@ -82,6 +82,11 @@ impl WorkZone {
     }
 }
 
+/// Whether an event of this status affects nobody any more.
+pub(super) fn is_over(status: &str) -> bool {
+    matches!(status, "completed" | "cancelled")
+}
+
 /// What a zone does to traffic, in the feed's word.
 #[derive(Deserialize)]
 #[serde(transparent)]

@@ -26,7 +26,7 @@ pub enum IncludeRefusal {
     #[error("expected a file within {0}, found {1} outside of it")]
     Outside(PathBuf, PathBuf),
     /// There is no such file, it is no regular file, or it cannot be read.
-    #[error("expected a file that can be read, found that {0}: {1}")]
+    #[error("expected a file that can be read, found {0}: {1}")]
     Unreadable(PathBuf, String),
     /// The file includes itself, directly or through others.
     #[error("expected no file to include itself, found that {0} does")]

@@ -2,6 +2,7 @@
 
 use super::domain::segments;
 use super::finding::{Finding, size};
+use crate::control::{AskError, Request, ask};
 use crate::faults::minor_faults;
 use crate::serve::NODE_COUNTER;
 use mapd_archive::FORMAT;
@@ -11,6 +12,9 @@ use std::time::{Duration, Instant};
 
 /// The version of iceoryx2 that is built in: all processes of a domain need the same.
 pub(super) const ICEORYX2: &str = "0.10.0";
+
+/// Longest wait for a daemon's own account.
+const ANSWER: Duration = Duration::from_secs(2);
 
 /// Bytes of a page.
 const PAGE: usize = 4096;
@@ -68,6 +72,15 @@ fn one(domain: &Domain, map: &MapStatus, wait: Duration, out: &mut Vec<Finding>)
         return;
     }
     let pid = info.map_or_else(|| "unknown".to_owned(), |info| info.daemon_pid.to_string());
+    let asked = ask(domain, name, &Request::Status, ANSWER);
+    if matches!(asked, Err(AskError::Late { .. })) {
+        out.push(Finding::problem(
+            "daemon",
+            format!("{name}: process {pid} does not answer"),
+            format!("it is stopped or hangs; if kill -CONT {pid} does not help, kill it and start it again"),
+        ));
+        return;
+    }
     out.push(Finding::ok("daemon", format!("{name}: process {pid}")));
     if let Some(revision) = revision_of(domain, name)
         && revision != TRANSPORT_REVISION

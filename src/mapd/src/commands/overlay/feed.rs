@@ -8,6 +8,8 @@ use mapd_overlay::{Document, FeedFinding, Limits, Policy, read_feed, resolve};
 pub(super) struct Matched {
     pub(super) document: Document,
     pub(super) findings: Vec<FeedFinding>,
+    /// As of the feed ([`mapd_overlay::Feed::unread`]).
+    pub(super) unread: Vec<String>,
 }
 
 /// Reads a feed and leaves out what the map has no place for. A feed never allows more than the map.
@@ -28,5 +30,5 @@ pub(super) fn matched(map: Map<'_>, text: &str, tolerance: f64) -> Result<Matche
         let own = number.next();
         !unplaced.iter().any(|unfit| !unfit.is_part && Some(unfit.number) == own)
     });
-    Ok(Matched { document: feed.document, findings: feed.findings })
+    Ok(Matched { document: feed.document, findings: feed.findings, unread: feed.unread })
 }

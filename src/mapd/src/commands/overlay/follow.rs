@@ -13,10 +13,13 @@ use mapd_transport::list_maps;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Time between two looks. A file must have been the same in two of them: its writer has finished then.
 const LOOK: Duration = Duration::from_millis(300);
+
+/// Time after which a file that was refused is tried again: what stood in its way, as another feed's entry of the same name, may be gone.
+const RETRY: Duration = Duration::from_secs(10);
 
 /// What is followed: a file, or all files of a folder.
 struct Followed<'a> {
@@ -61,7 +64,13 @@ pub(super) fn follow(
     let domain = command.domain.domain()?;
     let (mut last, mut done) = (BTreeMap::new(), BTreeMap::<PathBuf, Applied>::new());
     let (mut said, mut swept) = (String::new(), None);
+    let (mut refused, mut tried) = (BTreeSet::<PathBuf>::new(), Instant::now());
     loop {
+        if tried.elapsed() >= RETRY {
+            done.retain(|file, _| !refused.contains(file));
+            refused.clear();
+            tried = Instant::now();
+        }
         let now = followed.look();
         let served = list_maps(&domain).ok().and_then(|maps| {
             let own = maps.into_iter().find(|map| map.name == command.name)?;
@@ -69,29 +78,34 @@ pub(super) fn follow(
         });
         let mut failed = None;
         if now == last {
+            let files: BTreeSet<PathBuf> = now.keys().cloned().collect();
             for (file, version) in &now {
                 let state = Applied { version: *version, generation: served };
                 if done.get(file) == Some(&state) {
                     continue;
                 }
                 let feed = followed.feed(file);
-                let applied = command.apply(file, tolerance, Some(&feed));
-                let told = applied.and_then(|(report, findings)| {
-                    Ok(command.tell(file, &report, &findings, out)?)
-                });
+                // A file that was renamed says what it said, under another name.
+                let ended = match followed.is_folder && swept.as_ref() != Some(&files) {
+                    true => followed.ended(command, &files),
+                    false => Ok(Vec::new()),
+                };
+                let applied =
+                    ended.and_then(|ended| command.apply(file, tolerance, Some(&feed), ended));
+                let told = applied.and_then(|applied| Ok(command.tell(file, &applied, out)?));
                 match told {
                     Ok(()) => drop(done.insert(file.clone(), state)),
                     Err(error) => {
-                        // What is wrong with a file stays so until it changes; a daemon may come back.
+                        // What is wrong with a file mostly stays so until it changes; a daemon may come back.
                         if error.is::<UsageError>() {
                             done.insert(file.clone(), state);
+                            refused.insert(file.clone());
                         }
                         let why = explained(&error);
                         failed = Some(format!("{}: {why}; what it said stays", file.display()));
                     }
                 }
             }
-            let files: BTreeSet<PathBuf> = now.keys().cloned().collect();
             if followed.is_folder && swept.as_ref() != Some(&files) {
                 match followed.sweep(command, &files) {
                     Ok(()) => swept = Some(files),
@@ -144,21 +158,22 @@ impl Followed<'_> {
         if self.is_folder { format!("{}/{own}", self.name) } else { self.name.clone() }
     }
 
-    /// Removes what files said that are no longer in the folder.
-    fn sweep(&self, command: &OverlayCommand, files: &BTreeSet<PathBuf>) -> Result<()> {
+    /// Feeds of files that are no longer in the folder.
+    fn ended(&self, command: &OverlayCommand, files: &BTreeSet<PathBuf>) -> Result<Vec<String>> {
         let known: BTreeSet<String> = files.iter().map(|file| self.feed(file)).collect();
         let own = format!("{}/", self.name);
         let listed = command.ask(OverlayAction::List)?.entries;
         let feeds: BTreeSet<String> = listed.into_iter().map(|one| one.entry.feed).collect();
-        for feed in feeds.into_iter().filter(|feed| feed.starts_with(&own)) {
-            if !known.contains(&feed) {
-                let document = Document::default().to_json();
-                command.ask(OverlayAction::Apply {
-                    document,
-                    feed: Some(feed),
-                    signature: None,
-                })?;
-            }
+        let has_ended = |feed: &String| feed.starts_with(&own) && !known.contains(feed);
+        Ok(feeds.into_iter().filter(has_ended).collect())
+    }
+
+    /// Removes what files said that are no longer in the folder.
+    fn sweep(&self, command: &OverlayCommand, files: &BTreeSet<PathBuf>) -> Result<()> {
+        for feed in self.ended(command, files)? {
+            let document = Document::default().to_json();
+            let (feed, unread, ended) = (Some(feed), Vec::new(), Vec::new());
+            command.ask(OverlayAction::Apply { document, feed, unread, ended, signature: None })?;
         }
         Ok(())
     }

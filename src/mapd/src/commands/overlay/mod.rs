@@ -126,10 +126,13 @@ impl OverlayCommand {
                 follow::follow(&self, file, *tolerance, out)?;
             }
             Action::Apply { file, tolerance, feed, json, .. } => {
-                let (report, findings) = self.apply(file, *tolerance, feed.as_deref())?;
+                let applied = self.apply(file, *tolerance, feed.as_deref(), Vec::new())?;
                 match json {
-                    true => print(&applied(&report, &findings), out)?,
-                    false => self.tell(file, &report, &findings, out)?,
+                    true => print(&applied.as_json(), out)?,
+                    false => self.tell(file, &applied, out)?,
+                }
+                if !applied.is_whole {
+                    return Ok(Exit::Quarantined);
                 }
             }
             Action::List { how } => {
@@ -170,18 +173,18 @@ impl OverlayCommand {
         Ok(Exit::Done)
     }
 
-    /// Applies a file; as a feed of this name, what it has no more is removed. A WZDx feed is a whole state, so it always has a name. Also what of a feed
-    /// could not be placed; none for entries.
+    /// Applies a file; as a feed of this name, what it has no more is removed, and what feeds said that have ended. A WZDx feed is a whole state, so it always has a name.
     fn apply(
         &self,
         file: &Path,
         tolerance: f64,
         feed: Option<&str>,
-    ) -> Result<(OverlayReport, Option<Vec<FeedFinding>>)> {
+        ended: Vec<String>,
+    ) -> Result<Applied> {
         // First the signature: where both are replaced meanwhile, an older one with a newer file is wrong, and told.
         let mut signature = signature(file)?;
         let mut document = read_document(file)?;
-        let mut findings = None;
+        let (mut findings, mut unread) = (None, Vec::new());
         let mut feed = feed.map(str::to_owned);
         if mapd_overlay::is_feed(&document) {
             let wrong = |error| UsageError(format!("{}: {}", file.display(), explained(&error)));
@@ -189,7 +192,7 @@ impl OverlayCommand {
             let client = Client::connect_as(own, &domain, &self.name, self.wait.0)?;
             let fits = matched(client.snapshot().map(), &document, tolerance).map_err(wrong)?;
             (document, findings) = (fits.document.to_json(), Some(fits.findings));
-            signature = None;
+            (signature, unread) = (None, fits.unread);
             feed = feed.or_else(|| Some(file.file_name()?.to_string_lossy().into_owned()));
         }
         if document.len() > LONGEST {
@@ -199,15 +202,16 @@ impl OverlayCommand {
                 file.display()
             )));
         }
-        Ok((self.ask(OverlayAction::Apply { document, feed, signature })?, findings))
+        let is_whole = unread.is_empty();
+        let apply = OverlayAction::Apply { document, feed, unread, ended, signature };
+        Ok(Applied { report: self.ask(apply)?, findings, is_whole })
     }
 
     /// Says what has been applied, and what could not be placed.
     fn tell(
         &self,
         file: &Path,
-        report: &OverlayReport,
-        findings: &Option<Vec<FeedFinding>>,
+        Applied { report, findings, .. }: &Applied,
         out: &mut dyn Write,
     ) -> io::Result<()> {
         writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
@@ -307,14 +311,24 @@ fn as_json(report: &OverlayReport, at: Moment) -> Value {
     json!({ "revision": report.revision, "entries": entries })
 }
 
-/// What is laid over the map after a file was applied, and what of a feed could not be placed.
-fn applied(report: &OverlayReport, findings: &Option<Vec<FeedFinding>>) -> Value {
-    let mut value = as_json(report, now());
-    if let Some(findings) = findings {
-        let told = |one: &FeedFinding| json!({ "place": one.place, "why": one.why });
-        value["findings"] = findings.iter().map(told).collect();
+/// What is laid over the map after a file was applied.
+struct Applied {
+    report: OverlayReport,
+    /// What of a feed could not be placed; none for entries.
+    findings: Option<Vec<FeedFinding>>,
+    /// Whether all of a feed could be read.
+    is_whole: bool,
+}
+
+impl Applied {
+    fn as_json(&self) -> Value {
+        let mut value = as_json(&self.report, now());
+        if let Some(findings) = &self.findings {
+            let told = |one: &FeedFinding| json!({ "place": one.place, "why": one.why });
+            value["findings"] = findings.iter().map(told).collect();
+        }
+        value
     }
-    value
 }
 
 fn line(one: &ListedEntry, at: Moment, out: &mut dyn Write) -> io::Result<()> {

@@ -220,7 +220,13 @@ impl Judge {
         let document = Document { entries: vec![entry] };
         self.desk.place_on_served(map, &document);
         let (reply, outcome) = channel();
-        let action = Action::Apply { document, feed: None, signed: None };
+        let action = Action::Apply {
+            document,
+            feed: None,
+            unread: Vec::new(),
+            ended: Vec::new(),
+            signed: None,
+        };
         let order = OverlayOrder { map: map.to_owned(), action, reply, is_proposed: true };
         self.orders.lock().unwrap_or_else(PoisonError::into_inner).give(Order::Overlay(order));
         match outcome.recv() {

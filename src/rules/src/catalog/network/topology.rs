@@ -7,7 +7,7 @@ use crate::place::{text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::{PartOf, Sink};
-use mapd_xodr::{ConnectionEnd, JunctionLaneLink, JunctionType as Kind};
+use mapd_xodr::{ConnectionEnd, JunctionLaneLink, JunctionType as Kind, LaneType};
 use std::collections::BTreeMap;
 
 /// Two roads; the second one's links and the first one's.
@@ -181,6 +181,12 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
     }
 }
 
+/// Whether traffic drives on lanes of a type, and not only where it must, as at a lane's border.
+fn is_driven(kind: LaneType) -> bool {
+    use LaneType as T;
+    is_drivable(kind) && !matches!(kind, T::Border | T::Stop | T::Restricted | T::RoadWorks)
+}
+
 fn dead(network: &Network, sink: &mut Sink<'_>) {
     let mut is_linked = vec![false; network.lanes.len()];
     linked_lanes(network, |a, b| {
@@ -199,7 +205,7 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
         for section in sections.get(inside).unwrap_or_default() {
             for (rank, lane) in section.lane_ranks().zip(network.lanes_of(section)) {
                 let has_width = Contact::BOTH.into_iter().any(|end| lane.width(end) > 0.0);
-                if is_drivable(lane.kind)
+                if is_driven(lane.kind)
                     && has_width
                     && !is_linked.get(rank).copied().unwrap_or(true)
                 {

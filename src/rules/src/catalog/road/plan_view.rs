@@ -172,7 +172,7 @@ fn s_monotonic(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
         let difference = (s - due).abs();
         if difference > S_ROUNDING.value {
             let severity = grade(difference, S_BROKEN);
-            let what = if rank == 0 { "s = 0" } else { "s where the geometry before ends, at" };
+            let what = if rank == 0 { "s =" } else { "s where the geometry before ends, at" };
             sink.add_milder(severity, PART, geometry.span, format_args!("{what} {due}"), s);
         }
         due = s + number(&geometry.length);

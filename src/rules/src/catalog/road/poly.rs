@@ -137,7 +137,13 @@ fn computable(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     let all = of.road.plan_view.as_deref().map_or(&[][..], |plan_view| &plan_view.geometry);
     for (at, fault) in &of.line.faults {
         if let (Fault::Curve(error), Some(geometry)) = (fault, all.get(*at)) {
-            sink.add_within(PART, geometry.span, "a curve that can be evaluated", error);
+            let said = error.to_string();
+            let bound = said.strip_prefix("expected ").and_then(|said| said.split_once(", found "));
+            let (expected, found) = match bound {
+                Some((expected, found)) => (expected, found.to_owned()),
+                None => ("a curve that can be evaluated", format!("that {said}")),
+            };
+            sink.add_within(PART, geometry.span, expected, found);
         }
     }
 }
