@@ -78,7 +78,8 @@ fn asking(snapshot: &Snapshot, text: &str, folder: &Path) {
         let document = format!(
             r#"{{"entries":[{{"id":"1","kind":"closed","text":"{revision}","lanes":[{{"key":"{key}"}}]}}]}}"#
         );
-        let action = OverlayAction::Apply { document, feed: None, signature: None };
+        let (feed, unread, ended) = (None, Vec::new(), Vec::new());
+        let action = OverlayAction::Apply { document, feed, unread, ended, signature: None };
         let request = Request::Overlay { map: "town".to_owned(), action };
         let answer = ask(&domain, "town", &request, WAIT).expect("an answer");
         assert!(matches!(answer, Response::Overlay(_)), "{answer:?}");

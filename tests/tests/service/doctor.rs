@@ -133,6 +133,14 @@ fn a_daemon_that_is_stopped() {
     expect(&output, "attach lock", "problem", "kill -CONT");
     expect(&output, "subscribe", "problem", "stayed locked");
     drop(guard);
+    // Status and doctor showed one as if nothing were wrong.
+    daemon.signal("STOP");
+    let output = command.output().expect("runs");
+    expect(&output, "daemon", "problem", "does not answer");
+    let output = place.command().arg("status").output().expect("runs");
+    let said = String::from_utf8_lossy(&output.stdout);
+    daemon.signal("CONT");
+    assert!(said.contains("its daemon does not answer"), "{said}");
     assert_eq!(daemon.stop(), 0);
 }
 

@@ -65,6 +65,11 @@ fn members_of_the_group_read() {
     assert!(refused.contains("may not read"), "{refused}");
     let refused = said(unnamed.args(["connect", "town", "0"]));
     assert!(refused.contains("--owner"), "{refused}");
+    // The health check asked the daemon, which members may not.
+    if let Some(mut status) = command(&place, &member, MAPD) {
+        let output = status.args(["status", "--healthy", "--owner", &us()]).output().expect("runs");
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+    }
     drop(daemon);
 }
 
