@@ -5771,7 +5771,7 @@ mapd_code mapd_corridor_outline(const struct mapd_corridor_station *stations,
 
 /*
  Where other traffic meets the path, in ascending S: on lanes of junctions and others that the map knows to conflict, where lanes merge into
- one, and on roads that lie at the same place. Lanes that the path itself drives on are left out.
+ one, and on roads that lie at the same place. What the path itself drives just before or behind is left out.
  */
 mapd_code mapd_path_conflicts(const struct mapd_path *path,
                               struct mapd_scratch *scratch,

@@ -153,7 +153,7 @@ impl From<&PathCrossing> for mapd_path_crossing {
 }
 
 /// Where other traffic meets the path, in ascending S: on lanes of junctions and others that the map knows to conflict, where lanes merge into
-/// one, and on roads that lie at the same place. Lanes that the path itself drives on are left out.
+/// one, and on roads that lie at the same place. What the path itself drives just before or behind is left out.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_path_conflicts(
     path: *const mapd_path,

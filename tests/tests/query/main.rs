@@ -98,6 +98,8 @@ mod path_joints;
 mod path_meets;
 // Every lane that meets a path is told: those that another way of asking finds.
 mod path_met_all;
+// What of the lanes that meet a path is its own way.
+mod path_own_way;
 // A path on another version of its map.
 mod path_rebase;
 // The room along a path: marks, what lies beyond, speed, surface, outline.

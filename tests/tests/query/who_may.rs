@@ -7,6 +7,7 @@ use mapd_query::compiling::position_along;
 use mapd_query::rules::Basis;
 use mapd_query::rules::YieldsTo;
 use mapd_query::vocabulary::LaneType;
+use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
 use mapd_tests::maps::{Random, carried_and, open, open_text};
 
 /// Points on each map.
@@ -78,6 +79,27 @@ fn the_nearest_lane_for_a_vehicle_is_the_nearest_that_is_open_to_it() {
 }
 
 /// `successors` of a lane that is used both ways gave one direction only.
+/// Nobody drives where a lane has no width, whether it is written as 0 or by a cubic that goes on below it.
+#[test]
+fn nobody_drives_on_a_width_below_0() {
+    let pieces = |width: &str| {
+        let right = lane(-1, "") + &wide(-2, "", "", width, "");
+        let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+        let text = document(&road("1", "junction=\"-1\"", line, "", &section(0.0, "", &right)));
+        let snapshot = open_text(&text);
+        let lane = snapshot.map().lane_by_key(&"1:0:-2".parse().expect("a key")).expect("a lane");
+        lane.nodes()
+            .map(|node| (node.s_range().low, node.s_range().high, node.is_open()))
+            .collect::<Vec<_>>()
+    };
+    let falls = "a=\"3\" b=\"-0.075\" c=\"0\" d=\"0\"";
+    let zero = "a=\"0\" b=\"0\" c=\"0\" d=\"0\"";
+    let expected = [(0.0, 40.0, true), (40.0, 100.0, false)];
+    assert_eq!(pieces(&format!("{falls}/><width sOffset=\"40\" {zero}")), expected);
+    assert_eq!(pieces(falls), expected);
+    assert_eq!(pieces(&format!("{falls}/><width sOffset=\"60\" {zero}")), expected);
+}
+
 #[test]
 fn a_lane_that_is_used_both_ways_leads_both_ways() {
     let road = |id: u32, x: f64, link: &str, lane: &str, kind: &str| {

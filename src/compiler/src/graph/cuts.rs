@@ -4,9 +4,9 @@
 //! All lanes of a section are cut at the same places, so that the pieces beside each other are known by their number and
 //! a change of lane is allowed over a whole piece or not at all. Cuts never show in a `LaneKey`.
 
-use super::{Source, cross_paths, virtual_connections};
+use super::{Source, cross_paths, virtual_connections, widths};
 use crate::draft::{Draft, between};
-use mapd_archive::{CubicRow, LaneType, Range, VehicleClass, lane_flags};
+use mapd_archive::{LaneType, Range, VehicleClass, lane_flags};
 use mapd_rules::network::{Contact, LinkTarget};
 
 /// Shortest piece `[m]`: a cut nearer than this to an end or to another cut is left out. What holds in the middle of a
@@ -97,16 +97,9 @@ fn wanted_by(draft: &Draft, lane: u32, wanted: &mut Vec<f64>) {
     if row.flags & lane_flags::BORDER == 0
         && let Some(section) = rows.sections.get(row.section as usize)
     {
-        let widths = row.widths().of(&rows.cubics);
-        for pair in widths.windows(2).filter(|pair| is_zero(&pair[0]) != is_zero(&pair[1])) {
-            wanted.push(pair[1].s - section.s_start);
-        }
+        let ends = [section.s_start, section.s_end];
+        widths::borders(row.widths().of(&rows.cubics), ends, wanted);
     }
-}
-
-/// Whether a width record holds no width at all.
-pub(crate) fn is_zero(width: &CubicRow) -> bool {
-    width.a <= 0.0 && width.b == 0.0 && width.c == 0.0 && width.d == 0.0
 }
 
 /// Whether anybody may use a lane anywhere.

@@ -21,6 +21,7 @@ mod report;
 mod rings;
 mod virtual_connections;
 mod walk;
+mod widths;
 mod zones;
 
 pub(crate) use cuts::Cuts;

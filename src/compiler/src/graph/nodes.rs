@@ -1,6 +1,7 @@
 //! Nodes: a lane, or a piece of one, travelled in one direction.
 
-use super::cuts::{Cuts, is_zero};
+use super::cuts::Cuts;
+use super::widths;
 use crate::draft::Draft;
 use crate::findings::TooLarge;
 use mapd_archive::{
@@ -79,9 +80,8 @@ fn has_width(rows: &Rows, lane: &LaneRow, offset: f64) -> bool {
         return true;
     }
     let Some(section) = rows.sections.get(lane.section as usize) else { return false };
-    let widths = lane.widths().of(&rows.cubics);
-    let at = widths.partition_point(|record| record.s <= section.s_start + offset);
-    at.checked_sub(1).and_then(|i| widths.get(i)).is_some_and(|record| !is_zero(record))
+    let ends = [section.s_start, section.s_end];
+    widths::has_width(lane.widths().of(&rows.cubics), ends, offset)
 }
 
 /// Joins a node with the one on either side that travels the same way and may be used by somebody who may use this one;

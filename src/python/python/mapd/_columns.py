@@ -394,7 +394,7 @@ class PathPositions(Columns):
 class Corridor(Columns):
     """The room along a path: edges of the driven lane, and of all lanes beside it that have its direction and are open [m].
 
-    Marks are codes (:data:`mapd.MARK_KINDS`, :data:`mapd.MARK_COLORS`), -1 where there is none; ``may_cross`` says whether a change over the edge is allowed; ``edge``
+    Marks are codes (:data:`mapd.MARK_KINDS`, :data:`mapd.MARK_COLORS`): where there is none, the kind is that of ``none``, 1, and the color -1; ``may_cross`` says whether a change over the edge is allowed; ``edge``
     what lies beyond, in :data:`mapd.EDGES`. ``s`` is that on the driven lane's road [m]; ``speed`` the limit [m/s], infinite where there is none, NaN where the map says
     nothing, and ``speed_origin`` who says so, in :data:`mapd.SPEED_ORIGINS`.
     """

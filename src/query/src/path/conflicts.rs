@@ -2,7 +2,6 @@
 
 use super::{Path, Piece};
 use crate::extents::SRange;
-use crate::graph::Conflict;
 use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::rules::{Basis, by_rules};
@@ -119,23 +118,27 @@ impl Path<'_, '_> {
     /// Where other lanes meet the path, in ascending S: those of junctions that the map knows to conflict; lanes that lead into the path's own from
     /// elsewhere, and lanes beside it that end and have to be left for it ([`ConflictKind::Merge`]); and lanes of other roads in whose area the
     /// driven line lies on the same level ([`ConflictKind::Overlap`], looked for every 2 m). Outside junctions, stop, give-way and priority signs up to 30 m before say
-    /// who goes first. Lanes that the path itself drives on, and lanes that are
-    /// closed to every vehicle outside junctions, are left out. `out` is emptied first; it grows only if its capacity is too small. What people on foot and
+    /// who goes first. Left out are lanes that are closed to every
+    /// vehicle outside junctions, and what is the path's own way: a stretch of another lane that the path drives just before or behind the common place.
+    /// Others may come to it where the stretch begins before the path is on that lane, or where the path drives the lane at another time: such places
+    /// are told. Steps that go on on the same lane count as one. `out` is emptied first; it grows only if its capacity is too small. What people on foot and
     /// bicycles cross on is [`Path::crossings`].
     pub fn conflicts(&self, out: &mut Vec<PathConflict>) {
         out.clear();
-        for (number, piece) in self.buffer.pieces.iter().enumerate() {
+        let mut next = 0;
+        while let Some((piece, end)) = self.run(next) {
+            let first = std::mem::replace(&mut next, end);
             let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
             let stop = lane.movement_stop();
             for conflict in lane.conflicts() {
                 let Some(other) = conflict.other() else { continue };
-                if self.drives_on(other.row_number()) {
+                let Some(along) = self.common(&piece, conflict.s_range()) else { continue };
+                let SRange { low: from, high: to } = conflict.other_range();
+                if self.is_own_way(first, along, other.row_number(), [from, to]) {
                     continue;
                 }
-                let Some(along) = self.common(piece, &conflict) else { continue };
                 let line = stop.and_then(|line| self.along_before(line.lane, line.s, along[0]));
                 let (relation, reason) = (conflict.stored_relation(), conflict.reason());
-                let SRange { low: from, high: to } = conflict.other_range();
                 out.push(PathConflict {
                     along,
                     other: other.lane_id(),
@@ -149,10 +152,10 @@ impl Path<'_, '_> {
                 });
             }
             let told = out.len();
-            self.merges(number, &lane, out);
-            self.overlaps(number, &lane, out);
+            self.merges(first, &piece, &lane, out);
+            self.overlaps(first, &piece, &lane, out);
             for own in out.get_mut(told..).unwrap_or(&mut []) {
-                self.settle(number, own);
+                self.settle(end - 1, own);
             }
         }
         // Sorting in place allocates nothing.
@@ -161,9 +164,25 @@ impl Path<'_, '_> {
         });
     }
 
+    /// The piece of a number as one with those behind it that go on where it ends, and the number behind them: a route's places on the way cut a lane.
+    fn run(&self, number: usize) -> Option<(Piece, usize)> {
+        let mut whole = *self.buffer.pieces.get(number)?;
+        let mut end = number + 1;
+        while let Some(next) = self.buffer.pieces.get(end) {
+            let exit = self.spans_of(&whole).last().map(|span| span.s[1]);
+            let entry = self.spans_of(next).first().map(|span| span.s[0]);
+            if (next.lane, next.forward) != (whole.lane, whole.forward) || entry != exit {
+                break;
+            }
+            whole.spans[1] = next.spans[1];
+            end += 1;
+        }
+        Some((whole, end))
+    }
+
     /// S at both ends of what a piece shares with another lane; none where that is not driven over.
-    fn common(&self, piece: &Piece, conflict: &Conflict<'_>) -> Option<[f64; 2]> {
-        let SRange { low, high } = conflict.s_range();
+    pub(super) fn common(&self, piece: &Piece, range: SRange) -> Option<[f64; 2]> {
+        let SRange { low, high } = range;
         let spans = self.spans_of(piece);
         let meets = |span: &&super::Span| {
             let [a, b] = span.s;

@@ -1,31 +1,75 @@
 //! Where other traffic meets a path outside the junctions' own lists: lanes that merge into it.
 
-use super::Path;
 use super::conflicts::{PathConflict, Yields};
 use super::overlaps::STEP;
+use super::{Path, Piece};
 use crate::extents::SRange;
 use crate::graph::LaneNode;
 use crate::lane::Lane;
 use mapd_archive::{ConflictKind, Relation, RelationReason};
 
+/// Common places are too long by up to half a metre at either end: what is nearer to each other than both `[m]` touches.
+const TOUCHES: f64 = 1.0;
+
 impl<'a> Path<'a, '_> {
-    /// Whether the path drives on a lane.
-    pub(super) fn drives_on(&self, lane: u32) -> bool {
-        self.buffer.pieces.iter().any(|own| own.lane == lane)
+    /// Whether a stretch of another lane that has a place in common with the piece of a number is the path's own way there: the path drives it just before, so
+    /// that who is there comes along with it, or just behind, all of it.
+    pub(super) fn is_own_way(
+        &self,
+        number: usize,
+        along: [f64; 2],
+        other: u32,
+        [low, high]: [f64; 2],
+    ) -> bool {
+        self.is_near_way(number, along, other, [low, high], TOUCHES)
+    }
+
+    /// As [`Path::is_own_way`], where the path drives the stretch up to so far `[m]` before or behind the common place.
+    pub(super) fn is_near_way(
+        &self,
+        number: usize,
+        [from, to]: [f64; 2],
+        other: u32,
+        [low, high]: [f64; 2],
+        reach: f64,
+    ) -> bool {
+        self.buffer.pieces.iter().enumerate().any(|(at, piece)| {
+            if piece.lane != other || at == number {
+                return false;
+            }
+            let Some([first, last]) = self.common(piece, SRange { low, high }) else {
+                return false;
+            };
+            let is_near = first <= to + reach && last >= from - reach;
+            is_near && (at < number || !self.begins_before(piece, [low, high]))
+        })
+    }
+
+    /// Whether a stretch of a piece's lane begins before the path is on it.
+    fn begins_before(&self, piece: &Piece, [low, high]: [f64; 2]) -> bool {
+        let Some(entry) = self.spans_of(piece).first().map(|span| span.s[0]) else { return false };
+        if piece.forward { low < entry - TOUCHES } else { high > entry + TOUCHES }
     }
 
     /// Adds lanes that lead into the path's own from elsewhere, and lanes beside it that end and have to be left for it.
-    pub(super) fn merges(&self, number: usize, lane: &Lane<'a>, out: &mut Vec<PathConflict>) {
-        let Some(piece) = self.buffer.pieces.get(number) else { return };
+    pub(super) fn merges(
+        &self,
+        number: usize,
+        piece: &Piece,
+        lane: &Lane<'a>,
+        out: &mut Vec<PathConflict>,
+    ) {
         let [begin, _] = self.ends_of(piece);
         // Where the path begins or has changed onto the lane, what leads into it is behind.
         let first = self.spans_of(piece).first().map(|span| span.s[0]);
         let entry = if piece.forward { lane.section().s_start() } else { lane.section().s_end() };
         if number > 0 && first == Some(entry) {
+            let before = number.checked_sub(1).and_then(|last| self.buffer.pieces.get(last));
             for id in lane.predecessors_towards(piece.forward) {
                 let Some(other) = Lane::new(self.map, id.row()) else { continue };
                 let is_open = other.nodes().any(|node| node.is_open());
-                if !is_open || self.drives_on(id.row()) {
+                let comes_from = before.is_some_and(|before| before.lane == id.row());
+                if !is_open || comes_from {
                     continue;
                 }
                 let end = other.exit_s();
@@ -46,7 +90,7 @@ impl<'a> Path<'a, '_> {
             let left = node.left().and_then(|other| beside(other, other.change_right()));
             let right = node.right().and_then(|other| beside(other, other.change_left()));
             for other in left.into_iter().chain(right) {
-                if !self.drives_on(other.row_number()) {
+                if !self.is_own_way(number, along, other.row_number(), [low, high]) {
                     self.add(lane, &other, along, [low, high], ConflictKind::Merge, out);
                 }
             }

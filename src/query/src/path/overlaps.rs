@@ -17,6 +17,8 @@ use mapd_archive::ConflictKind;
 pub(super) const STEP: f64 = 2.0;
 /// A lane farther above or below is on another level `[m]`: less than any vehicle passes under.
 const LEVEL: f64 = 2.0;
+/// A lane that the path drives within this of a place `[m]` is its own way there: nothing on wheels turns back to where it was on less.
+const OWN_WAY: f64 = 24.0;
 /// Length of the chunks that ask the index once `[m]`.
 const CHUNK: f64 = 24.0;
 /// Stretches of lanes near a chunk that are kept for its places; where there are more, each place asks the index.
@@ -32,15 +34,22 @@ struct Near {
 
 /// A piece that is looked along.
 struct Along<'a, 'p> {
+    /// Of its first piece, if it is several.
+    number: usize,
     piece: &'p Piece,
     lane: &'p Lane<'a>,
 }
 
 impl<'a> Path<'a, '_> {
     /// Adds lanes of other roads in whose area the driven line lies, on the same level.
-    pub(super) fn overlaps(&self, number: usize, lane: &Lane<'a>, out: &mut Vec<PathConflict>) {
-        let Some(piece) = self.buffer.pieces.get(number) else { return };
-        let own = Along { piece, lane };
+    pub(super) fn overlaps(
+        &self,
+        number: usize,
+        piece: &Piece,
+        lane: &Lane<'a>,
+        out: &mut Vec<PathConflict>,
+    ) {
+        let own = Along { number, piece, lane };
         let before = out.len();
         let mut rest = self.spans_of(piece);
         while let Some(first) = rest.first() {
@@ -97,6 +106,9 @@ impl<'a> Path<'a, '_> {
         let options =
             NearestOptions { radius: 0.0, z_tolerance: Some(LEVEL), ..Default::default() };
         let mut found = |other: &Lane<'a>, s: f64| {
+            if self.is_near_way(own.number, along, other.row_number(), [s; 2], OWN_WAY) {
+                return;
+            }
             let known =
                 out.get_mut(before..).unwrap_or(&mut []).iter_mut().find(|known| {
                     known.other == other.lane_id() && known.along[1] + STEP >= along[0]
@@ -171,7 +183,7 @@ impl<'a> Path<'a, '_> {
         (near.count > 0).then_some(near)
     }
 
-    /// Whether a lane counts where it lies in the same place: one of another road, open, that the path neither drives on nor comes from or goes to.
+    /// Whether a lane counts where it lies in the same place: one of another road, open, that the path's lane neither comes from nor goes to.
     fn may_overlap(&self, own: &Along<'a, '_>, other: &Lane<'a>) -> bool {
         let (road, other_road) = (own.lane.road(), other.road());
         if road.road_id() == other_road.road_id() {
@@ -183,9 +195,6 @@ impl<'a> Path<'a, '_> {
             return false;
         }
         let row = other.row_number();
-        if self.drives_on(row) {
-            return false;
-        }
         let linked = |id: crate::ids::LaneId| id.row() == row;
         let follows = own.lane.successors_towards(own.piece.forward).any(linked)
             || own.lane.predecessors_towards(own.piece.forward).any(linked);

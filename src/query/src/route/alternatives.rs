@@ -7,12 +7,15 @@
 
 use super::bound::Bounds;
 use super::cost::RouteCost;
-use super::ends::price;
+use super::ends::{ChainNode, price, share_before};
 use super::request::Avoiding;
-use super::scratch::{FROM_SIDE, FROM_START, GOAL, Hop, Open, Others, RouteScratch, is_set, set};
+use super::scratch::{
+    DIRECT, FROM_SIDE, FROM_START, GOAL, Hop, Open, Others, RouteScratch, is_set, set,
+};
 use super::search::{Best, Search, node_of};
 use super::ways::Ways;
 use super::{Route, RouteError, RouteRequest, RouteStep};
+use crate::graph::LaneNode;
 use crate::map::Map;
 use std::ops::Range;
 
@@ -30,8 +33,7 @@ const ROUNDING: f64 = 1e-9;
 pub struct AlternativeOptions {
     /// Routes, the best one among them: 1 to 32. Default 3.
     pub count: usize,
-    /// Share of its length that each drives on other sections of road, or the other way, than any one of those before it, 0 to 1. The pieces on which
-    /// the route starts and ends are not counted. 0 for the k best routes, which may differ by a change of lane. Default 0.3.
+    /// Share of its length that each drives on other sections of road, or the other way, than any one of those before it, 0 to 1. 0 for the k best routes, which may differ by a change of lane. Default 0.3.
     pub share: f64,
     /// How many times the cheapest one's cost a route may cost, at least 1. Default 1.5.
     pub longest: f64,
@@ -346,28 +348,63 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
     fn take(&mut self, hops: Range<usize>, cost: f64, out: &mut Routes) {
         let number = out.routes.len() as u32;
         for i in hops.clone() {
-            let Some((place, _)) = self.driven(i) else { continue };
-            if let Some(bits) = self.scratch.others.sections.get_mut(place) {
-                *bits |= 1 << number;
+            for (place, _) in self.driven(i).into_iter().flatten() {
+                if let Some(bits) = self.scratch.others.sections.get_mut(place) {
+                    *bits |= 1 << number;
+                }
             }
         }
         let route = self.write(hops, cost, &mut out.steps);
         out.end(route);
     }
 
-    /// The section and direction of the node that a hop leaves at its end, and the node's length; none where it is changed from, or is a start's.
-    fn driven(&self, hop: usize) -> Option<(usize, f64)> {
-        let hop =
-            self.scratch.hops.get(hop).filter(|hop| hop.from & (FROM_START | FROM_SIDE) == 0)?;
-        let node = self.ways.node(hop.from)?;
-        let section = node.lane()?.row.section() as usize;
-        Some((2 * section + usize::from(node.is_forward()), node.length()))
+    /// Section and direction of what is driven of the node that a hop leaves at its end, and of the goal's that it leads to, each with its length
+    /// `[m]`; none for a node that is changed from.
+    fn driven(&self, hop: usize) -> [Option<(usize, f64)>; 2] {
+        let Some(Hop { from, to }) = self.scratch.hops.get(hop).copied() else { return [None; 2] };
+        let start = (from & FROM_START != 0).then_some(from & !FROM_START);
+        let start = start.and_then(|place| self.scratch.start.get(place as usize));
+        let goal = (to & GOAL != 0).then_some(to & !DIRECT);
+        let goal = goal.and_then(|place| self.root(place));
+        let on = |number: u32, length: &dyn Fn(&LaneNode<'a>) -> f64| {
+            let node = self.ways.node(number)?;
+            let section = node.lane()?.row.section() as usize;
+            Some((2 * section + usize::from(node.is_forward()), length(&node)))
+        };
+        let before = |node: &LaneNode<'a>, s: f64| node.length() * share_before(node, s);
+        let left = match start {
+            _ if to & DIRECT == DIRECT => None,
+            Some(start) => on(start.node, &|node| node.length() - before(node, start.s)),
+            None if from & (FROM_START | FROM_SIDE) == 0 => on(from, &LaneNode::length),
+            None => None,
+        };
+        // Straight on from the start on its piece: not from the piece's beginning.
+        let begin = start.filter(|_| to & DIRECT == DIRECT).map(|start| start.s);
+        let reached = goal.and_then(|goal| {
+            on(goal.node, &|node| {
+                (before(node, goal.s) - begin.map_or(0.0, |s| before(node, s))).max(0.0)
+            })
+        });
+        [left, reached]
+    }
+
+    /// The goal itself that a place of the goals' chain leads to.
+    fn root(&self, mut place: u32) -> Option<&ChainNode> {
+        let chain = &self.scratch.target;
+        // Each place leads to one before it.
+        loop {
+            let own = chain.get(place as usize)?;
+            if own.link >= place {
+                return Some(own);
+            }
+            place = own.link;
+        }
     }
 
     /// Whether a way drives a share of its length on other sections than each of the routes so far.
     fn differs(&self, hops: Range<usize>, share: f64, routes: usize) -> bool {
         let (mut length, mut shared) = (0.0, [0.0; MOST_ROUTES]);
-        for (place, own) in hops.filter_map(|hop| self.driven(hop)) {
+        for (place, own) in hops.flat_map(|hop| self.driven(hop)).flatten() {
             length += own;
             let bits = self.scratch.others.sections.get(place).copied().unwrap_or(0);
             for (i, shared) in shared.iter_mut().enumerate().take(routes) {
