@@ -12,8 +12,8 @@ use mapd_archive::{ConflictKind, Relation, RelationReason};
 const TOUCHES: f64 = 1.0;
 
 impl<'a> Path<'a, '_> {
-    /// Whether a stretch of another lane that has a place in common with the piece of a number is the path's own way there: the path drives it just before, so
-    /// that who is there comes along with it, or just behind, all of it.
+    /// Whether a stretch of another lane that has a place in common with the piece of a number is the path's own way there. The path drives it just before,
+    /// so that who is there comes along with it; or just behind, all of it.
     pub(super) fn is_own_way(
         &self,
         number: usize,
