@@ -7,7 +7,7 @@
 
 use super::bound::Bounds;
 use super::cost::RouteCost;
-use super::ends::{ChainNode, price, share_before};
+use super::ends::{ChainNode, price};
 use super::request::Avoiding;
 use super::scratch::{
     DIRECT, FROM_SIDE, FROM_START, GOAL, Hop, Open, Others, RouteScratch, is_set, set,
@@ -15,7 +15,6 @@ use super::scratch::{
 use super::search::{Best, Search, node_of};
 use super::ways::Ways;
 use super::{Route, RouteError, RouteRequest, RouteStep};
-use crate::graph::LaneNode;
 use crate::map::Map;
 use std::ops::Range;
 
@@ -347,45 +346,44 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
     /// Writes a way, and notes what it drives over.
     fn take(&mut self, hops: Range<usize>, cost: f64, out: &mut Routes) {
         let number = out.routes.len() as u32;
-        for i in hops.clone() {
-            for (place, _) in self.driven(i).into_iter().flatten() {
-                if let Some(bits) = self.scratch.others.sections.get_mut(place) {
-                    *bits |= 1 << number;
-                }
+        let mut sections = std::mem::take(&mut self.scratch.others.sections);
+        self.driven(hops.clone(), |place, _| {
+            if let Some(bits) = sections.get_mut(place) {
+                *bits |= 1 << number;
             }
-        }
+        });
+        self.scratch.others.sections = sections;
         let route = self.write(hops, cost, &mut out.steps);
         out.end(route);
     }
 
-    /// Section and direction of what is driven of the node that a hop leaves at its end, and of the goal's that it leads to, each with its length
-    /// `[m]`; none for a node that is changed from.
-    fn driven(&self, hop: usize) -> [Option<(usize, f64)>; 2] {
-        let Some(Hop { from, to }) = self.scratch.hops.get(hop).copied() else { return [None; 2] };
-        let start = (from & FROM_START != 0).then_some(from & !FROM_START);
-        let start = start.and_then(|place| self.scratch.start.get(place as usize));
-        let goal = (to & GOAL != 0).then_some(to & !DIRECT);
-        let goal = goal.and_then(|place| self.root(place));
-        let on = |number: u32, length: &dyn Fn(&LaneNode<'a>) -> f64| {
-            let node = self.ways.node(number)?;
-            let section = node.lane()?.row.section() as usize;
-            Some((2 * section + usize::from(node.is_forward()), length(&node)))
+    /// Tells of the nodes that a way drives on the section and direction, and the length driven `[m]`; not of those that are changed from.
+    fn driven(&self, hops: Range<usize>, mut tell: impl FnMut(usize, f64)) {
+        let mut on = |number: u32, share: f64| {
+            let Some(node) = self.ways.node(number) else { return };
+            let Some(lane) = node.lane() else { return };
+            let section = lane.row.section() as usize;
+            tell(2 * section + usize::from(node.is_forward()), node.length() * share);
         };
-        let before = |node: &LaneNode<'a>, s: f64| node.length() * share_before(node, s);
-        let left = match start {
-            _ if to & DIRECT == DIRECT => None,
-            Some(start) => on(start.node, &|node| node.length() - before(node, start.s)),
-            None if from & (FROM_START | FROM_SIDE) == 0 => on(from, &LaneNode::length),
-            None => None,
-        };
-        // Straight on from the start on its piece: not from the piece's beginning.
-        let begin = start.filter(|_| to & DIRECT == DIRECT).map(|start| start.s);
-        let reached = goal.and_then(|goal| {
-            on(goal.node, &|node| {
-                (before(node, goal.s) - begin.map_or(0.0, |s| before(node, s))).max(0.0)
-            })
-        });
-        [left, reached]
+        for &Hop { from, to } in self.scratch.hops.get(hops).unwrap_or(&[]) {
+            // Straight on from the start on its piece: not from the piece's beginning.
+            let (mut before, is_direct) = (0.0, to & DIRECT == DIRECT);
+            if from & FROM_START != 0 {
+                let start = self.scratch.start.get((from & !FROM_START) as usize);
+                match start {
+                    Some(start) if is_direct => before = 1.0 - start.share,
+                    Some(start) => on(start.node, start.share),
+                    None => {}
+                }
+            } else if from & FROM_SIDE == 0 {
+                on(from, 1.0);
+            }
+            if to & GOAL != 0
+                && let Some(goal) = self.root(to & !DIRECT)
+            {
+                on(goal.node, (goal.share - before).max(0.0));
+            }
+        }
     }
 
     /// The goal itself that a place of the goals' chain leads to.
@@ -404,15 +402,16 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
     /// Whether a way drives a share of its length on other sections than each of the routes so far.
     fn differs(&self, hops: Range<usize>, share: f64, routes: usize) -> bool {
         let (mut length, mut shared) = (0.0, [0.0; MOST_ROUTES]);
-        for (place, own) in hops.flat_map(|hop| self.driven(hop)).flatten() {
+        let sections = &self.scratch.others.sections;
+        self.driven(hops, |place, own| {
             length += own;
-            let bits = self.scratch.others.sections.get(place).copied().unwrap_or(0);
+            let bits = sections.get(place).copied().unwrap_or(0);
             for (i, shared) in shared.iter_mut().enumerate().take(routes) {
                 if bits >> i & 1 != 0 {
                     *shared += own;
                 }
             }
-        }
+        });
         let most = (1.0 - share) * length;
         length > 0.0 && shared.iter().take(routes).all(|shared| *shared <= most + ROUNDING * length)
     }

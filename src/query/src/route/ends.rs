@@ -20,6 +20,8 @@ pub(super) struct ChainNode {
     pub(super) changes: f64,
     /// Of what is driven on the piece: here, from the start's s on; or on the goal's own piece, up to its s.
     pub(super) pass: f64,
+    /// Share of the piece's length that is driven, likewise.
+    pub(super) share: f64,
     /// Place in the chain of the node before it (start) or after it (goal); itself for the first.
     pub(super) link: u32,
     /// Number of the start or goal.
@@ -58,14 +60,16 @@ pub(super) fn start_chain<'a>(
     for (number, end) in starts.iter().enumerate() {
         let Some((lane, s)) = lane_of(ways.map(), end.place) else { continue };
         for way in directions(end) {
-            let rest = |node: &LaneNode<'a>| price(cost.pass(node)) * (1.0 - share_before(node, s));
+            let rest = |node: &LaneNode<'a>| 1.0 - share_before(node, s);
             let first =
                 ways.at(&lane, s, way).and_then(|number| Some((number, ways.node(number)?)));
             let Some(first) = first else { continue };
+            let share = rest(&first.1);
             let own = ChainNode {
                 node: first.0,
                 changes: price(end.cost),
-                pass: rest(&first.1),
+                pass: price(cost.pass(&first.1)) * share,
+                share,
                 link: out.len() as u32,
                 end: number as u32,
                 s,
@@ -85,7 +89,8 @@ pub(super) fn start_chain<'a>(
                         break;
                     }
                     let place = out.len() as u32;
-                    (last.node, last.pass) = (beside, rest(&next));
+                    (last.node, last.share) = (beside, rest(&next));
+                    last.pass = price(cost.pass(&next)) * last.share;
                     out.push(last);
                     last.link = place;
                     (number, at) = (beside, next);
@@ -109,10 +114,12 @@ pub(super) fn target_chain<'a>(
             let target =
                 ways.at(&lane, s, way).and_then(|number| Some((number, ways.node(number)?)));
             let Some(first) = target.filter(|(_, node)| node.allows(vehicle)) else { continue };
+            let share = share_before(&first.1, s);
             let own = ChainNode {
                 node: first.0,
                 changes: price(end.cost),
-                pass: price(cost.pass(&first.1)) * share_before(&first.1, s),
+                pass: price(cost.pass(&first.1)) * share,
+                share,
                 link: out.len() as u32,
                 end: number as u32,
                 s,
