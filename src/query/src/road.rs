@@ -30,8 +30,6 @@ pub struct Road<'a> {
     pub(crate) map: Map<'a>,
     number: u32,
     row: &'a ArchivedRoadRow,
-    /// The plan view. Where it lies is known without the row, which is waited for beside it.
-    geometries: &'a [ArchivedGeometryRow],
 }
 
 /// What a road is linked to at one of its ends.
@@ -92,12 +90,7 @@ pub(crate) fn kept(s: f64, end: f64) -> Result<(f64, Clamped), QueryError> {
 impl<'a> Road<'a> {
     #[inline]
     pub(crate) fn new(map: Map<'a>, number: u32) -> Option<Self> {
-        let tables = map.tables();
-        let row = tables.roads.get(number as usize)?;
-        // An archive of an earlier release has no lines apart.
-        let line = tables.road_lines.get(number as usize).map(|line| line.geometries());
-        let line = line.unwrap_or_else(|| row.geometries());
-        Some(Self { map, number, row, geometries: line.of(tables.geometries) })
+        Some(Self { map, number, row: map.tables().roads.get(number as usize)? })
     }
 
     /// Dense id.
@@ -302,10 +295,9 @@ impl<'a> Road<'a> {
         (cos, sin, angle)
     }
 
-    /// The plan view.
     #[inline]
     pub(crate) fn geometries(&self) -> &'a [ArchivedGeometryRow] {
-        self.geometries
+        self.row.geometries().of(self.map.tables().geometries)
     }
 
     /// The geometry that holds at s: the last that starts at or before it.
