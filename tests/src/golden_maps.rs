@@ -58,7 +58,6 @@ pub fn all() -> Vec<GoldenMap> {
     let mut maps = vec![
         map("furnished", crossroads::furnished()),
         map("lane-blocks", read(carried("town.xodr"))),
-        map("road-lines", read(carried("one_road.xodr"))),
         map("objects", read(carried("objects.xodr"))),
         map("roundabout", roundabout(GROUP)),
         map("surfaces", read(carried("surfaces.xodr"))),

@@ -42,7 +42,6 @@ pub fn verify_tables(bytes: &[u8]) -> Result<Archive<'_>, VerifyError> {
     tables.verify_rows()?;
     exactly_one_map(tables)?;
     ascending(tables)?;
-    road_lines(tables)?;
     sections(tables)?;
     lines(tables)?;
     index(tables)?;
@@ -241,18 +240,6 @@ fn by_lane<T>(
                 format!("at least {before:?}"),
                 format!("{after:?}"),
             );
-        }
-    }
-    Ok(())
-}
-
-/// Lines of roads are where the roads' rows say.
-fn road_lines(tables: &Tables<'_>) -> Result<(), VerifyError> {
-    for (row, (line, road)) in tables.road_lines.iter().zip(tables.roads).enumerate() {
-        let (line, road) = (line.geometries(), road.geometries());
-        if line != road {
-            let check = Check { table: "road_lines", row };
-            return check.fail("geometries", format!("{road:?}"), format!("{line:?}"));
         }
     }
     Ok(())

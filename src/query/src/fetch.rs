@@ -11,11 +11,10 @@ use mapd_archive::{Range, Tables, prefetch};
 /// Points of a lane's centre line that are its section's ends: nothing else is read of them.
 const ENDS: u16 = 2;
 
-/// Brings the rows of a lane that may hold a point, its section and its road, and the road's geometries; what the map does not have counts
-/// for nothing.
+/// Brings the rows of a lane that may hold a point, its section and its road; what the map does not have counts for nothing.
 ///
-/// The block of the lane and the road's line tell where these are without the rows, so that all are waited for side by side. In an archive of
-/// an earlier release, which has no blocks or lines, they are waited for one after the other.
+/// The block of the lane tells the latter two without its row, so that all three are waited for side by side. An archive of an earlier
+/// release has no blocks: its rows are waited for one after the other.
 #[inline(always)]
 pub(crate) fn rows(tables: &Tables<'_>, lane: u32) {
     let Some(block) = tables.lane_blocks.get((lane / LANES_PER_BLOCK) as usize) else { return };
@@ -26,18 +25,16 @@ pub(crate) fn rows(tables: &Tables<'_>, lane: u32) {
     tables.lanes.get(lane as usize).into_iter().for_each(prefetch);
     tables.sections.get(section as usize).into_iter().for_each(prefetch);
     tables.roads.get(road as usize).into_iter().for_each(prefetch);
-    if let Some(line) = tables.road_lines.get(road as usize) {
-        searched(tables.geometries, line.geometries());
-    }
 }
 
-/// Brings what else the rows of a stretch's lane name. How much that is, is known only when the rows have come: call `rows` for all candidates
+/// Brings what the rows of a stretch's lane name. How much that is, is known only when the rows have come: call `rows` for all candidates
 /// first.
 #[inline(always)]
 pub(crate) fn records(tables: &Tables<'_>, stretch: LaneSegment) {
     let Some(lane) = tables.lanes.get(stretch.lane as usize) else { return };
     let Some(section) = tables.sections.get(lane.section() as usize) else { return };
     let Some(road) = tables.roads.get(section.road() as usize) else { return };
+    searched(tables.geometries, road.geometries());
     searched(tables.cubics, lane.widths());
     searched(tables.cubics, road.lane_offsets());
     searched(tables.cubics, road.superelevations());

@@ -104,11 +104,6 @@ fn index(tables: &Tables<'_>, lines: &mut Lines) {
             .with("first", [row.section(), row.road()])
             .word("starts", format_args!("{:x},{:x}", row.section_starts(), row.road_starts()));
     }
-    for row in tables.road_lines {
-        lines
-            .about("road line")
-            .with("geometries", [row.geometries().first, row.geometries().count]);
-    }
     for row in tables.index_leaves {
         lines.about("leaf").with("overshoot", *row.overshoot()).with("z_high", *row.z_high());
     }

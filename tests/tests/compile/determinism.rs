@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the format or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "1e014a5f3fcfc82c6a1e0e85f3e17ffda0464111ae796a7e32f74b3d5b7f04aa"),
-    ("town.xodr", "", "c9ee3b3f7187ca62f35bba28ad87d1e549dc3b3240740cbfbfd62b31eee320bf"),
-    ("one_road.xodr", "utm", "5da1d3988e33e05bb73b2231415d80d300f7a58c34a606a35b9beb3ccfe8f4ff"),
+    ("one_road.xodr", "", "d0c3ba521efad58ce39c22ddc880ee1d0e1d69ca76a4012304dd282af3f441da"),
+    ("town.xodr", "", "510a5177e2a4876c71a9b2f75f3485e2bef619c67104e619e24467b261906422"),
+    ("one_road.xodr", "utm", "424e5879360f96d5b68758021613a9f6bcfae6ee2fd231f0c450a39581c26067"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "6ba039856e5ea34d48b6c897a7ca9c044e697e9bf89d2940bb6b46a35c3839d5",
+        "3e0d121eaf27b197a89da92a0fc70550e4e0dea5da8ccb7ded0e14274e537351",
     ),
 ];
 

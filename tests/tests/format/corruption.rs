@@ -135,14 +135,13 @@ fn crossing() -> AlignedBytes {
 
 /// What rows say about each other is proven: a reference moved to another row, a place left out or named twice.
 #[test]
-fn what_rows_say_about_each_other_is_proven() {
+fn what_signals_and_their_index_say_is_proven() {
     let good = crossing();
     let places = places(&open(&good).expect("opens").tables, good.as_ptr() as usize);
     for (table, found) in [
         ("signal_index_items", "a place, each once"),
         ("signal_index_levels", "nodes"),
         ("object_signals", "links of objects"),
-        ("road_lines", "geometries"),
     ] {
         let (_, place) = places.iter().find(|(name, _)| *name == table).expect("a table");
         let mut bad = good.clone();

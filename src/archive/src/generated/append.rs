@@ -114,7 +114,6 @@ impl Rows {
             file_frames: unused(),
             features: unused(),
             roads: unused(),
-            road_lines: unused(),
             geometries: unused(),
             coefficients: unused(),
             cubics: unused(),
@@ -286,9 +285,6 @@ impl Rows {
             self.roads.extend_from_slice(part.roads.get(1..).unwrap_or_default());
             self.roads.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         }
-        let before = self.road_lines.len();
-        self.road_lines.extend_from_slice(part.road_lines.get(1..).unwrap_or_default());
-        self.road_lines.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         if moves.geometries.is_appended() {
             let before = self.geometries.len();
             self.geometries.extend_from_slice(part.geometries.get(1..).unwrap_or_default());

@@ -43,13 +43,6 @@ impl RoadRow {
     }
 }
 
-impl RoadLineRow {
-    /// Lets the row refer to where what it refers to comes to lie.
-    pub fn move_by(&mut self, moves: &RowMappings) {
-        self.geometries = moves.geometries.range(self.geometries);
-    }
-}
-
 impl GeometryRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &RowMappings) {

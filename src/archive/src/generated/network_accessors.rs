@@ -382,14 +382,6 @@ impl ArchivedRoadRow {
     }
 }
 
-impl ArchivedRoadLineRow {
-    /// Plan view, ascending in s.
-    #[inline]
-    pub fn geometries(&self) -> Range {
-        self.geometries.to_native()
-    }
-}
-
 impl ArchivedGeometryRow {
     /// `[m]` Start on the road.
     #[inline]

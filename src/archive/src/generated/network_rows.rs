@@ -189,16 +189,6 @@ pub struct RoadRow {
 }
 const _: () = assert!(size_of::<RoadRow>() == 96 && size_of::<ArchivedRoadRow>() == 96);
 
-/// Where each road's geometries lie, as its row says, in few bytes: queries read them at once, beside the row instead of after it.
-#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
-#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
-#[repr(C)]
-pub struct RoadLineRow {
-    /// Plan view, ascending in s.
-    pub geometries: Range,
-}
-const _: () = assert!(size_of::<RoadLineRow>() == 8 && size_of::<ArchivedRoadLineRow>() == 8);
-
 /// Plan-view geometries, as written or transformed into the target frame, with the values that their evaluation needs (OpenDRIVE 1.8.1, 9.2).
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]

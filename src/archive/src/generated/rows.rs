@@ -225,8 +225,6 @@ pub struct Rows {
     pub annotation_blocks: Table<AnnotationBlockRow>,
     /// A row for each 64 lanes: the sections and roads that their rows lead to, so that queries can read all of these rows ahead at once. It decides nothing. Where roads of neighbouring sections do not follow each other, as behind temporary layers, it is wrong.
     pub lane_blocks: Table<LaneBlockRow>,
-    /// Where each road's geometries lie, as its row says, in few bytes: queries read them at once, beside the row instead of after it.
-    pub road_lines: Table<RoadLineRow>,
 }
 
 impl Rows {
@@ -339,12 +337,11 @@ impl Rows {
             annotation_numbers: (self.annotation_numbers.as_slice()),
             annotation_blocks: bytemuck::cast_slice(self.annotation_blocks.as_slice()),
             lane_blocks: bytemuck::cast_slice(self.lane_blocks.as_slice()),
-            road_lines: bytemuck::cast_slice(self.road_lines.as_slice()),
         }
     }
 
     /// The bytes of all tables, as they lie in an archive, in the order of `TABLES`.
-    pub(crate) fn bytes(&self) -> [&[u8]; 107] {
+    pub(crate) fn bytes(&self) -> [&[u8]; 106] {
         [
             bytemuck::cast_slice(self.string_bytes.as_slice()),
             bytemuck::cast_slice(self.string_offsets.as_slice()),
@@ -452,7 +449,6 @@ impl Rows {
             bytemuck::cast_slice(self.annotation_numbers.as_slice()),
             bytemuck::cast_slice(self.annotation_blocks.as_slice()),
             bytemuck::cast_slice(self.lane_blocks.as_slice()),
-            bytemuck::cast_slice(self.road_lines.as_slice()),
         ]
     }
 }

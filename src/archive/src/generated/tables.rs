@@ -229,8 +229,6 @@ pub struct Tables<'a> {
     pub annotation_blocks: &'a [ArchivedAnnotationBlockRow],
     /// A row for each 64 lanes: the sections and roads that their rows lead to, so that queries can read all of these rows ahead at once. It decides nothing. Where roads of neighbouring sections do not follow each other, as behind temporary layers, it is wrong.
     pub lane_blocks: &'a [ArchivedLaneBlockRow],
-    /// Where each road's geometries lie, as its row says, in few bytes: queries read them at once, beside the row instead of after it.
-    pub road_lines: &'a [ArchivedRoadLineRow],
 }
 
 impl<'a> Tables<'a> {
@@ -343,12 +341,11 @@ impl<'a> Tables<'a> {
             annotation_numbers: directory.take(&TABLES[103])?,
             annotation_blocks: directory.take(&TABLES[104])?,
             lane_blocks: directory.take(&TABLES[105])?,
-            road_lines: directory.take(&TABLES[106])?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 107] {
+    pub fn infos(&self) -> [TableInfo; 106] {
         [
             TableInfo::of(1, "string_bytes", self.string_bytes),
             TableInfo::of(2, "string_offsets", self.string_offsets),
@@ -456,7 +453,6 @@ impl<'a> Tables<'a> {
             TableInfo::of(104, "annotation_numbers", self.annotation_numbers),
             TableInfo::of(105, "annotation_blocks", self.annotation_blocks),
             TableInfo::of(106, "lane_blocks", self.lane_blocks),
-            TableInfo::of(107, "road_lines", self.road_lines),
         ]
     }
 }

@@ -81,11 +81,6 @@ impl Tables<'_> {
             check.code("successor_contact", row.successor_contact(), 3)?;
             check.code("rule", row.rule(), 2)?;
         }
-        Check { table: "road_lines", row: 0 }.parallel(self.road_lines.len(), self.roads.len())?;
-        for (i, row) in self.road_lines.iter().enumerate() {
-            let check = Check { table: "road_lines", row: i };
-            check.range("geometries", row.geometries(), self.geometries.len())?;
-        }
         for (i, row) in self.geometries.iter().enumerate() {
             let check = Check { table: "geometries", row: i };
             check.finite("s", row.s())?;

@@ -5,11 +5,9 @@ mod lane_lines;
 mod lanes;
 mod objects;
 mod packed;
-mod road_lines;
 mod signals;
 
 pub(crate) use lane_blocks::build as lane_blocks;
 pub(crate) use lanes::build as lanes;
 pub(crate) use objects::build as objects;
-pub(crate) use road_lines::build as road_lines;
 pub(crate) use signals::build as signals;

@@ -80,7 +80,6 @@ fn build(
         index::objects(&mut rows);
         index::signals(&mut rows);
         index::lane_blocks(&mut rows);
-        index::road_lines(&mut rows);
         match index::lanes(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {

@@ -63,19 +63,19 @@ impl Path<'_, '_> {
         let lane = map.lane_by_key(&old.key())?;
         let ends = |lane: &Lane<'_>| [lane.section().s_start(), lane.section().s_end()];
         let (was, is) = (ends(&old), ends(&lane));
-        let moved = |s: f64| {
+        let at = |lane: &Lane<'_>, s| lane.pose_at(s, 0.0).map(|pose| pose.position.truncate());
+        let mut places = [step.s_from, step.s_to, step.s_latest];
+        for s in &mut places {
+            let before = at(&old, *s).ok()?;
             // Where the lane ended there, it still does.
-            let end = was.iter().position(|end| *end == s);
-            let s = end.and_then(|end| is.get(end).copied()).unwrap_or(s);
-            (is[0]..=is[1]).contains(&s).then_some(s)
-        };
-        let [s_from, s_to, s_latest] =
-            [moved(step.s_from)?, moved(step.s_to)?, moved(step.s_latest)?];
-        for (before, now) in [(step.s_from, s_from), (step.s_to, s_to), (step.s_latest, s_latest)] {
-            let at = |lane: &Lane<'_>, s| lane.pose_at(s, 0.0).map(|pose| pose.position.truncate());
-            let off = at(&old, before).ok()?.distance(at(&lane, now).ok()?);
-            (off <= FAR).then_some(())?;
+            if let Some((_, now)) = was.iter().zip(is).find(|(end, _)| *end == s) {
+                *s = now;
+            }
+            let is_there =
+                (is[0]..=is[1]).contains(s) && before.distance(at(&lane, *s).ok()?) <= FAR;
+            is_there.then_some(())?;
         }
+        let [s_from, s_to, s_latest] = places;
         let step = RouteStep { lane: lane.lane_id(), s_from, s_to, s_latest, ..*step };
         let mut nodes = lane.nodes().filter(|node| node.is_forward() == step.forward);
         let enters = lane.node_at(s_from, step.forward)?;

@@ -179,28 +179,36 @@ impl<'b> Path<'_, 'b> {
     /// The nearest place of a span that turns so tightly that steps lead to and fro: of some places the nearest, and from there by halves.
     #[cold]
     fn foot_by_halves(&self, span: &'b Span, local: DVec2) -> Option<Foot<'b>> {
-        let (piece, lane) = self.piece(span)?;
-        let shift = self.shift(span);
-        let foot = |gone: f64| {
-            let at = span.place(span.s_at(gone));
-            let [place, way] = tangent(&lane, at, piece.forward, shift)?;
-            let away = local - place;
-            let (ahead, d) = (away.dot(way), way.perp_dot(away));
-            Some(Foot { span, gone, distance: away.length(), ahead, d, way })
-        };
         let part = span.length / PARTS as f64;
-        let ends = (0..=PARTS).filter_map(|number| foot(part * number as f64));
-        let mut best = ends.min_by(|a, b| a.distance.total_cmp(&b.distance))?;
+        let mut best = self.foot_at(span, local, 0.0)?;
+        for number in 1..=PARTS {
+            let end = self.foot_at(span, local, part * number as f64)?;
+            if end.distance < best.distance {
+                best = end;
+            }
+        }
         let mut low = (best.gone - part).max(0.0);
         let mut high = (best.gone + part).min(span.length);
         while high - low > STEP {
-            let middle = foot(low.midpoint(high))?;
+            let middle = self.foot_at(span, local, low.midpoint(high))?;
             *(if middle.ahead > 0.0 { &mut low } else { &mut high }) = middle.gone;
             if middle.distance <= best.distance {
                 best = middle;
             }
         }
         Some(best)
+    }
+
+    /// The place at a length along a span, seen from a point.
+    // Never inlined: it is rarely asked, and its code is long.
+    #[inline(never)]
+    fn foot_at(&self, span: &'b Span, local: DVec2, gone: f64) -> Option<Foot<'b>> {
+        let (piece, lane) = self.piece(span)?;
+        let at = span.place(span.s_at(gone));
+        let [place, way] = tangent(&lane, at, piece.forward, self.shift(span))?;
+        let away = local - place;
+        let (ahead, d) = (away.dot(way), way.perp_dot(away));
+        Some(Foot { span, gone, distance: away.length(), ahead, d, way })
     }
 }
 

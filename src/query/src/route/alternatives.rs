@@ -303,8 +303,8 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
         out: &mut Routes,
     ) {
         let count = self.ways.count();
-        let sections = self.ways.map().tables().sections.len();
-        let Others { back, done, seen, sections: driven, .. } = &mut self.scratch.others;
+        let known = self.ways.map().tables().sections.len();
+        let Others { back, done, seen, sections, .. } = &mut self.scratch.others;
         if back.len() < count {
             back.resize(count, super::scratch::Label::default());
         }
@@ -312,9 +312,10 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
             bits.clear();
             bits.resize(count.div_ceil(64), 0);
         }
-        driven.clear();
-        driven.resize(2 * sections, 0);
+        sections.clear();
+        sections.resize(2 * known, 0);
         let hops = self.trace(best, None);
+        self.list_driven(hops.clone());
         self.take(hops, best.cost, out);
         let worst = (best.cost * options.longest).max(best.cost).next_up();
         self.expand(bounds, worst);
@@ -337,40 +338,43 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
             compared += 1;
             let cost = open.key();
             let Some(hops) = self.over(open.node, cost) else { continue };
-            if self.differs(hops.clone(), options.share, out.routes.len()) {
+            self.list_driven(hops.clone());
+            if self.differs(options.share, out.routes.len()) {
                 self.take(hops, cost, out);
             }
         }
     }
 
-    /// Writes a way, and notes what it drives over.
+    /// Writes a way, and notes what it drives over, which has been listed.
     fn take(&mut self, hops: Range<usize>, cost: f64, out: &mut Routes) {
         let number = out.routes.len() as u32;
-        let mut sections = std::mem::take(&mut self.scratch.others.sections);
-        self.driven(hops.clone(), |place, _| {
-            if let Some(bits) = sections.get_mut(place) {
+        let Others { sections, driven, .. } = &mut self.scratch.others;
+        for (place, _) in &*driven {
+            if let Some(bits) = sections.get_mut(*place) {
                 *bits |= 1 << number;
             }
-        });
-        self.scratch.others.sections = sections;
+        }
         let route = self.write(hops, cost, &mut out.steps);
         out.end(route);
     }
 
-    /// Tells of the nodes that a way drives on the section and direction, and the length driven `[m]`; not of those that are changed from.
-    fn driven(&self, hops: Range<usize>, mut tell: impl FnMut(usize, f64)) {
+    /// Lists what a way drives on: section and direction of each node, and the length driven `[m]`; not nodes that are changed from.
+    // Never inlined: it is long, and asked of each way that is compared.
+    #[inline(never)]
+    fn list_driven(&mut self, hops: Range<usize>) {
+        let RouteScratch { hops: all, start: starts, target, others, .. } = &mut *self.scratch;
+        others.driven.clear();
         let mut on = |number: u32, share: f64| {
             let Some(node) = self.ways.node(number) else { return };
             let Some(lane) = node.lane() else { return };
-            let section = lane.row.section() as usize;
-            tell(2 * section + usize::from(node.is_forward()), node.length() * share);
+            let place = 2 * lane.row.section() as usize + usize::from(node.is_forward());
+            others.driven.push((place, node.length() * share));
         };
-        for &Hop { from, to } in self.scratch.hops.get(hops).unwrap_or(&[]) {
+        for &Hop { from, to } in all.get(hops).unwrap_or(&[]) {
             // Straight on from the start on its piece: not from the piece's beginning.
             let (mut before, is_direct) = (0.0, to & DIRECT == DIRECT);
             if from & FROM_START != 0 {
-                let start = self.scratch.start.get((from & !FROM_START) as usize);
-                match start {
+                match starts.get((from & !FROM_START) as usize) {
                     Some(start) if is_direct => before = 1.0 - start.share,
                     Some(start) => on(start.node, start.share),
                     None => {}
@@ -379,39 +383,26 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
                 on(from, 1.0);
             }
             if to & GOAL != 0
-                && let Some(goal) = self.root(to & !DIRECT)
+                && let Some(goal) = root(target, to & !DIRECT)
             {
                 on(goal.node, (goal.share - before).max(0.0));
             }
         }
     }
 
-    /// The goal itself that a place of the goals' chain leads to.
-    fn root(&self, mut place: u32) -> Option<&ChainNode> {
-        let chain = &self.scratch.target;
-        // Each place leads to one before it.
-        loop {
-            let own = chain.get(place as usize)?;
-            if own.link >= place {
-                return Some(own);
-            }
-            place = own.link;
-        }
-    }
-
-    /// Whether a way drives a share of its length on other sections than each of the routes so far.
-    fn differs(&self, hops: Range<usize>, share: f64, routes: usize) -> bool {
+    /// Whether a way, whose list has been made, drives a share of its length on other sections than each of the routes so far.
+    fn differs(&self, share: f64, routes: usize) -> bool {
         let (mut length, mut shared) = (0.0, [0.0; MOST_ROUTES]);
-        let sections = &self.scratch.others.sections;
-        self.driven(hops, |place, own| {
+        let Others { sections, driven, .. } = &self.scratch.others;
+        for (place, own) in driven {
             length += own;
-            let bits = sections.get(place).copied().unwrap_or(0);
+            let bits = sections.get(*place).copied().unwrap_or(0);
             for (i, shared) in shared.iter_mut().enumerate().take(routes) {
                 if bits >> i & 1 != 0 {
                     *shared += own;
                 }
             }
-        });
+        }
         let most = (1.0 - share) * length;
         length > 0.0 && shared.iter().take(routes).all(|shared| *shared <= most + ROUNDING * length)
     }
@@ -505,6 +496,18 @@ impl<'a, W: Ways<'a>, C: RouteCost> Search<'_, W, C> {
                 enter(scratch, from, changed, FROM_SIDE | number);
             }
         }
+    }
+}
+
+/// The goal itself that a place of the goals' chain leads to.
+fn root(chain: &[ChainNode], mut place: u32) -> Option<&ChainNode> {
+    // Each place leads to one before it.
+    loop {
+        let own = chain.get(place as usize)?;
+        if own.link >= place {
+            return Some(own);
+        }
+        place = own.link;
     }
 }
 

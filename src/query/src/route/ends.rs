@@ -168,6 +168,8 @@ pub(super) fn price(cost: f64) -> f64 {
 }
 
 /// Share of a node's length from its beginning to s.
+// Never inlined: it is long, and what it measures takes longer than a call.
+#[inline(never)]
 pub(crate) fn share_before(node: &LaneNode<'_>, s: f64) -> f64 {
     let Some(lane) = node.lane() else { return 0.0 };
     let SRange { low: from, high: to } = node.s_range();

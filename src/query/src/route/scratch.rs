@@ -37,6 +37,8 @@ pub(super) struct Others {
     pub(super) seen: Vec<u64>,
     /// For each section, in each direction, which of the ways that are taken drive over it, as bits.
     pub(super) sections: Vec<u32>,
+    /// What the way that is looked at drives on: place in `sections`, and length `[m]`.
+    pub(super) driven: Vec<(usize, f64)>,
 }
 
 /// A part of a way: from one node into the next.
