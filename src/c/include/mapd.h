@@ -1373,7 +1373,7 @@ typedef struct mapd_nearest_options {
    */
   double z_tolerance;
   /*
-   Heading of travel [rad]; counts only with `has_heading`. Breaks ties, and excludes lanes by `heading_tolerance`.
+   Heading of travel [rad]; counts only with `has_heading`. Breaks ties, and excludes places by `heading_tolerance`.
    */
   double heading;
   /*

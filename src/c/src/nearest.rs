@@ -33,7 +33,7 @@ pub struct mapd_nearest_options {
     pub types: u64,
     /// Largest difference between the point's z and the lane's \[m\]; counts only with `has_z_tolerance` and a point that has z.
     pub z_tolerance: f64,
-    /// Heading of travel \[rad\]; counts only with `has_heading`. Breaks ties, and excludes lanes by `heading_tolerance`.
+    /// Heading of travel \[rad\]; counts only with `has_heading`. Breaks ties, and excludes places by `heading_tolerance`.
     pub heading: f64,
     /// Largest difference between `heading` and the lane's driving direction \[rad\]; counts only with `has_heading_tolerance`.
     pub heading_tolerance: f64,

@@ -40,6 +40,12 @@ pub(crate) struct Slab<'a> {
 }
 
 impl Slab<'_> {
+    /// A part of it.
+    #[inline]
+    pub(crate) fn part(&self, s_lo: f64, s_hi: f64) -> Self {
+        Self { s_lo, s_hi, ..*self }
+    }
+
     #[inline]
     fn middle(&self) -> f64 {
         0.5 * (self.s_lo + self.s_hi)

@@ -89,6 +89,7 @@ mod nearest;
 mod numbers;
 pub mod objects;
 mod packed;
+mod passing;
 pub mod path;
 mod polyline;
 mod position;

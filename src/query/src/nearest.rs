@@ -85,7 +85,7 @@ pub struct NearestOptions {
     /// Largest difference between the point's z and the lane's `[m]`, beside the lane that of its nearer edge; needs a point with
     /// z. Default none.
     pub z_tolerance: Option<f64>,
-    /// Heading of travel `[rad]`: breaks ties, and excludes lanes by `heading_tolerance`. Default none.
+    /// Heading of travel `[rad]`: breaks ties, and excludes places by `heading_tolerance`. Default none.
     pub heading: Option<f64>,
     /// Largest difference between `heading` and the lane's driving direction `[rad]`. Default none.
     pub heading_tolerance: Option<f64>,
@@ -156,7 +156,7 @@ pub(crate) struct Candidate<'a> {
 impl<'a> Candidate<'a> {
     /// None where the options exclude it.
     #[inline(always)]
-    fn new(
+    pub(crate) fn new(
         lane: &Lane<'a>,
         place: SlabPosition<'a>,
         point: Point,
@@ -176,8 +176,8 @@ impl<'a> Candidate<'a> {
         (!excluded).then_some(Self { lane, place, heading_difference, z_difference })
     }
 
-    /// The place on a stretch of a lane, wherever the point is.
-    #[inline]
+    /// The nearest place on a stretch of a lane that the options let pass, wherever the point is.
+    #[inline(never)]
     pub(crate) fn on(
         lane: &Lane<'a>,
         segment: u16,
@@ -186,7 +186,9 @@ impl<'a> Candidate<'a> {
         options: &NearestOptions,
     ) -> Option<Self> {
         let slab = area::slab(lane, usize::from(segment))?;
-        Self::new(lane, area::place(lane, &slab, local), point, options)
+        let place = area::place(lane, &slab, local);
+        Self::new(lane, place, point, options)
+            .or_else(|| Self::passing(lane, &slab, place.s(), point, local, options))
     }
 
     /// As [`Self::new`], in a stretch that holds the point.
@@ -425,7 +427,7 @@ fn is_closed(lane: &Lane<'_>, s: f64, vehicle: VehicleClass) -> bool {
 }
 
 /// Angle between a heading of travel and the lane's driving direction, by the heading of the reference line `[rad]`, the smaller one for lanes used both ways.
-fn heading_difference(lane: &Lane<'_>, line: f64, heading: f64) -> f64 {
+pub(crate) fn heading_difference(lane: &Lane<'_>, line: f64, heading: f64) -> f64 {
     let along = normalize_angle(heading - line).abs();
     let against = std::f64::consts::PI - along;
     if lane.is_bidirectional() {

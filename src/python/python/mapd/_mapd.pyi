@@ -321,7 +321,7 @@ class Map:
         """The lane whose area is nearest in plan view, at most `radius` [m] away; of several, by heading difference, height, offset.
 
         `types` are the lane types that count ("drivable", or OpenDRIVE's names). `z_tolerance` [m] tells levels apart and needs points
-        with z; `heading` [rad] of travel breaks ties, and excludes lanes by `heading_tolerance` [rad]. Of a `vehicle` ("bicycle"), only places that it may use count.
+        with z; `heading` [rad] of travel breaks ties, and excludes places by `heading_tolerance` [rad]. Of a `vehicle` ("bicycle"), only places that it may use count.
         `hint` is an answer nearby, such as the last one: the search for one point begins there, and its answer is the same. A batch needs none.
         """
     @overload
