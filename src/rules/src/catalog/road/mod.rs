@@ -1,6 +1,7 @@
 //! Rules on roads by themselves.
 
 mod crg;
+mod jumps;
 mod lateral;
 mod links;
 mod plan_view;
@@ -17,6 +18,7 @@ pub(super) static RULES: &[&[Rule]] = &[
     poly::RULES,
     records::RULES,
     lateral::RULES,
+    jumps::RULES,
     types::RULES,
     links::RULES,
     crg::RULES,
