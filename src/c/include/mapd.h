@@ -4723,7 +4723,7 @@ uint64_t mapd_lane_types_drivable(void);
 
 /*
  The lane whose area is nearest to a point in plan view, within the options' radius; distance 0 inside. Ties go by heading difference, z
- difference, |offset|, then key. `options`: null is the default. `MAPD_CODE_NONE` if nothing is near enough.
+ difference, lanes without width last, |offset|, then key. `options`: null is the default. `MAPD_CODE_NONE` if nothing is near enough.
 
  Errors: `MAPD_CODE_NOT_FINITE`.
  */

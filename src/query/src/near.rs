@@ -1,7 +1,7 @@
 //! All lanes near a point.
 
 use crate::error::QueryError;
-use crate::index;
+use crate::index::{self, LaneSegment};
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::nearest::{Candidate, Nearest, NearestOptions, round_up};
@@ -19,8 +19,17 @@ impl<'a> Map<'a> {
         options: &NearestOptions,
         out: &mut Vec<Nearest>,
     ) -> Result<(), QueryError> {
+        self.lanes_near_to(point.into(), options, out)
+    }
+
+    /// As [`Map::lanes_near`]: generated once, here.
+    fn lanes_near_to(
+        &self,
+        point: Point,
+        options: &NearestOptions,
+        out: &mut Vec<Nearest>,
+    ) -> Result<(), QueryError> {
         out.clear();
-        let point = point.into();
         options.check(point)?;
         let local = point.xy - self.origin();
         let radius = round_up(options.radius);
@@ -75,9 +84,9 @@ impl<'a> Map<'a> {
             let lower = index::lower_bounds(leaf, qx, qy, heights);
             for k in (0..lower.len()).filter(|k| lower[*k] <= bound) {
                 let lane = Lane::new(*self, lanes[k]).filter(&counts);
-                let lane = lane.filter(|lane| options.types.contains(lane.kind()));
                 let Some(lane) = lane else { continue };
-                let found = Candidate::on(&lane, segments[k], point, local, options);
+                let stretch = LaneSegment { lane: lanes[k], segment: segments[k] };
+                let found = self.candidate(stretch, point, local, options);
                 if let Some(found) = found.filter(|found| found.distance() <= 0.0) {
                     each(&lane, found.place.s());
                 }

@@ -156,7 +156,7 @@ pub(crate) struct Candidate<'a> {
 impl<'a> Candidate<'a> {
     /// None where the options exclude it.
     #[inline(always)]
-    pub(crate) fn new(
+    fn new(
         lane: &Lane<'a>,
         place: SlabPosition<'a>,
         point: Point,
@@ -177,7 +177,7 @@ impl<'a> Candidate<'a> {
     }
 
     /// The nearest place on a stretch of a lane that the options let pass, wherever the point is.
-    #[inline(never)]
+    #[inline]
     pub(crate) fn on(
         lane: &Lane<'a>,
         segment: u16,
@@ -189,6 +189,19 @@ impl<'a> Candidate<'a> {
         let place = area::place(lane, &slab, local);
         Self::new(lane, place, point, options)
             .or_else(|| Self::passing(lane, &slab, place.s(), point, local, options))
+    }
+
+    /// s of the place on a slab nearest to the point, and the place unless it is excluded. Generated once.
+    #[inline(never)]
+    pub(crate) fn on_slab(
+        lane: &Lane<'a>,
+        slab: &Slab<'a>,
+        point: Point,
+        local: DVec2,
+        options: &NearestOptions,
+    ) -> (f64, Option<Self>) {
+        let place = area::place(lane, slab, local);
+        (place.s(), Self::new(lane, place, point, options))
     }
 
     /// As [`Self::new`], in a stretch that holds the point.
@@ -274,18 +287,20 @@ impl<'a> Best<'a> {
         is_better
     }
 
-    /// Whether it lies in a lane whose centre is nearer than this `[m]`.
+    /// Whether it lies in a lane whose centre is nearer than this `[m]`. One without an offset may be a lane without width, which any other
+    /// comes before.
     #[inline]
     pub(crate) fn is_nearer_than(&self, off_center: f32) -> bool {
         self.0.as_ref().is_some_and(|best| {
-            best.distance() == 0.0 && best.place.offset.abs() < f64::from(off_center)
+            let offset = best.place.offset;
+            best.distance() == 0.0 && offset != 0.0 && offset.abs() < f64::from(off_center)
         })
     }
 }
 
 impl<'a> Map<'a> {
     /// The lane whose area is nearest to a point in plan view, within the options' radius; distance 0 inside. Ties go
-    /// by heading difference, z difference, |offset|, then key. `None` if nothing is near enough.
+    /// by heading difference, z difference, lanes that have a width there first, |offset|, then key. `None` if nothing is near enough.
     ///
     /// The index proposes stretches of lanes; each that may be the nearest is decided on the exact curve.
     ///
@@ -405,8 +420,8 @@ impl<'a> Map<'a> {
         Some(Rank { lane: row, distance, heading_difference, z_difference, offset, s, t })
     }
 
-    /// A lane's stretch as a candidate; `None` where the options exclude it.
-    #[inline]
+    /// A lane's stretch as a candidate; `None` where the options exclude it. Generated once.
+    #[inline(never)]
     pub(crate) fn candidate(
         &self,
         stretch: LaneSegment,
@@ -416,7 +431,9 @@ impl<'a> Map<'a> {
     ) -> Option<Candidate<'a>> {
         let lane = Lane::new(*self, stretch.lane);
         let lane = lane.filter(|lane| options.types.contains(lane.kind()))?;
-        Candidate::on(&lane, stretch.segment, point, local, options)
+        let slab = area::slab(&lane, usize::from(stretch.segment))?;
+        let (foot, found) = Candidate::on_slab(&lane, &slab, point, local, options);
+        found.or_else(|| Candidate::passing(&lane, &slab, foot, point, local, options))
     }
 }
 

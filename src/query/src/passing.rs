@@ -2,7 +2,7 @@
 //!
 //! Where the index cuts a lane must not show in answers: a stretch is not left out for its nearest place alone.
 
-use crate::area::{self, Slab};
+use crate::area::Slab;
 use crate::lane::Lane;
 use crate::nearest::{Candidate, NearestOptions, heading_difference};
 use crate::types::Point;
@@ -26,8 +26,8 @@ struct Asked<'q, 'a> {
 impl<'a> Asked<'_, 'a> {
     /// The place nearest to the point between two s, unless it is excluded.
     fn between(&self, s_lo: f64, s_hi: f64) -> Option<Candidate<'a>> {
-        let place = area::place(self.lane, &self.slab.part(s_lo, s_hi), self.local);
-        Candidate::new(self.lane, place, self.point, self.options)
+        let part = self.slab.part(s_lo, s_hi);
+        Candidate::on_slab(self.lane, &part, self.point, self.local, self.options).1
     }
 
     #[inline(never)]
@@ -73,7 +73,9 @@ impl<'a> Candidate<'a> {
         options: &NearestOptions,
     ) -> Option<Self> {
         let asked = Asked { lane, slab, point, local, options };
-        let sides = [slab.s_lo, slab.s_hi].into_iter().filter_map(|end| asked.towards(end, foot));
-        sides.reduce(|low, high| if high.distance() < low.distance() { high } else { low })
+        match (asked.towards(slab.s_lo, foot), asked.towards(slab.s_hi, foot)) {
+            (Some(low), Some(high)) if high.distance() < low.distance() => Some(high),
+            (low, high) => low.or(high),
+        }
     }
 }

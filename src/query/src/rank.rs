@@ -17,16 +17,34 @@ pub(crate) struct Rank {
 }
 
 impl Rank {
-    /// Distance; then heading difference, z difference, |offset|, key, and where two stretches of one lane meet, s and t: the
-    /// answer does not depend on which is visited first.
+    /// Distance; then heading difference, z difference, width or none, |offset|, key, and where two stretches of one lane meet, s and t:
+    /// the answer does not depend on which is visited first.
     #[inline]
     pub(crate) fn order(&self, other: &Self, map: Map<'_>) -> Ordering {
         self.distance
             .total_cmp(&other.distance)
             .then(self.heading_difference.total_cmp(&other.heading_difference))
             .then(self.z_difference.total_cmp(&other.z_difference))
+            .then_with(|| self.order_by_width(other, map))
             .then(self.offset.abs().total_cmp(&other.offset.abs()))
             .then_with(|| self.order_by_key(other, map))
+    }
+
+    /// A lane that has no width there comes last: on the edge of another it has the smaller offset.
+    #[inline]
+    fn order_by_width(&self, other: &Self, map: Map<'_>) -> Ordering {
+        // Within lanes, one that is a line has no offset.
+        if self.distance == 0.0 && self.offset != 0.0 && other.offset != 0.0 {
+            return Ordering::Equal;
+        }
+        self.is_line(map).cmp(&other.is_line(map))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_line(&self, map: Map<'_>) -> bool {
+        let edges = Lane::new(map, self.lane).map(|lane| lane.edges_at(self.s));
+        edges.is_some_and(|edges| edges.inner == edges.outer)
     }
 
     #[cold]

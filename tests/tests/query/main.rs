@@ -45,6 +45,7 @@ mod matching;
 // The nearest road mark: worked out by hand on marks of every form, and against places all along all marks.
 mod nearest_marks;
 mod nearest_passing;
+mod nearest_ties;
 // Every object of the shared corpus is in its map, or named as left out.
 mod object_counts;
 // What is written in and beside objects: markings, borders, skeletons, parking, repetitions, references, bridges, tunnels, railways.
