@@ -7,7 +7,7 @@ use mapd_query::path::{PathBuffer, PathConflict, PathOptions, Yields, YieldsBy, 
 use mapd_query::rules::Basis;
 use mapd_query::vocabulary::RoadRules;
 use mapd_tests::crossroads::{ARMS, crossroads, furnished, signal};
-use mapd_tests::graph_maps::{Line, document, lane, link, road, section, wide};
+use mapd_tests::graph_maps::{Line, document, lane, link, road, section, side_road, wide};
 use mapd_tests::maps::open_text;
 use std::cell::Cell;
 use std::f64::consts::FRAC_PI_2;
@@ -169,6 +169,38 @@ fn a_ramp_is_waited_for_before_both_lie_over_each_other() {
     let [from, to] = told.other_s;
     assert!((from - (100.0 - apart)).abs() < 4.0 && (to - 100.0).abs() < 1.0, "{told:?}");
     assert_eq!(told.wait, told.along[0]);
+}
+
+/// A side road without connecting roads leads into the middle of a lane, at s = 60 m, and is entered from there, and from a road before it.
+#[test]
+fn what_leads_into_or_out_of_the_middle_of_a_lane_merges_there() {
+    let text = side_road("elementId=\"2\" elementS=\"0\" elementDir=\"+\"");
+    let merges = |text: &str, keys: &[&str], ends: [f64; 2], other: &str| {
+        let snapshot = open_text(text);
+        let other = lane_by(snapshot.map(), other).lane_id();
+        let mut found = meets(snapshot.map(), keys, ends);
+        found.retain(|own| own.other == other && own.kind == ConflictKind::Merge);
+        assert_eq!(found.len(), 1, "{keys:?}: {found:?}");
+        found[0]
+    };
+    let into = merges(&text, &["1:0:-1"], [10.0, 110.0], "2:0:1");
+    assert!((into.along[1] - 50.0).abs() < 1e-6 && into.other_s[0] == 0.0, "{into:?}");
+    let (main, side) = text.split_at(text.find("<road id=\"2\"").expect("the side road"));
+    let before = road(
+        "3",
+        "junction=\"-1\"",
+        Line(60.0, 46.5, -FRAC_PI_2, 50.0, 0.0),
+        &link("s road 2 start"),
+        &section(0.0, "", &lane(-1, "s-1")),
+    );
+    let linked = side
+        .replacen("<link></link>", &format!("<link>{}</link>", link("p road 3 end")), 1)
+        .replacen(&lane(-1, ""), &lane(-1, "p-1"), 1);
+    let text = format!("{main}{before}{linked}");
+    let out_of = merges(&text, &["3:0:-1", "2:0:-1"], [10.0, 40.0], "1:0:-1");
+    assert!((out_of.along[1] - 40.0).abs() < 1e-6, "{out_of:?}");
+    // The main road's lane is left at s = 60 m, not where it ends.
+    assert!(out_of.other_s[0] <= 60.0 && out_of.other_s[1] < 70.0, "{out_of:?}");
 }
 
 #[test]

@@ -61,7 +61,7 @@ impl Yields {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PathConflict {
     /// S of the first and last common place `[m]`; too long by up to half a metre at either end, outside junctions too short or too long by up to
-    /// two. A merge ends where the path's own lane begins, or the lane beside it ends.
+    /// two. A merge ends where the other lane leads into the path's own, or the lane beside it ends.
     pub along: [f64; 2],
     /// The other lane.
     pub other: LaneId,

@@ -60,20 +60,27 @@ impl<'a> Path<'a, '_> {
         out: &mut Vec<PathConflict>,
     ) {
         let [begin, _] = self.ends_of(piece);
-        // Where the path begins or has changed onto the lane, what leads into it is behind.
         let first = self.spans_of(piece).first().map(|span| span.s[0]);
-        let entry = if piece.forward { lane.section().s_start() } else { lane.section().s_end() };
-        if number > 0 && first == Some(entry) {
-            let before = number.checked_sub(1).and_then(|last| self.buffer.pieces.get(last));
-            for id in lane.predecessors_towards(piece.forward) {
-                let Some(other) = Lane::new(self.map, id.row()) else { continue };
-                let is_open = other.nodes().any(|node| node.is_open());
-                let comes_from = before.is_some_and(|before| before.lane == id.row());
-                if !is_open || comes_from {
+        let before = number.checked_sub(1).and_then(|last| self.buffer.pieces.get(last));
+        let start = if piece.forward { lane.section().s_start() } else { lane.section().s_end() };
+        // Other lanes may lead into the middle of one, and out of it.
+        for node in lane.nodes().filter(|node| node.is_forward() == piece.forward) {
+            let SRange { low, high } = node.s_range();
+            let entry = if piece.forward { low } else { high };
+            // Where the path begins or has changed onto the lane, what leads into it is behind.
+            let is_behind = first == Some(entry) && (before.is_none() || entry != start);
+            let Some(along) = self.along_on(piece, entry).filter(|_| !is_behind) else { continue };
+            for from in node.predecessors() {
+                let Some(other) = from.lane() else { continue };
+                let comes_from = before
+                    .is_some_and(|before| before.lane == other.row_number() && along == begin);
+                let is_own = other.row_number() == lane.row_number();
+                if is_own || comes_from || !from.is_open() {
                     continue;
                 }
-                let end = other.exit_s();
-                self.add(lane, &other, [begin; 2], [end; 2], ConflictKind::Merge, out);
+                let SRange { low, high } = from.s_range();
+                let end = if from.is_forward() { high } else { low };
+                self.add(lane, &other, [along; 2], [end; 2], ConflictKind::Merge, out);
             }
         }
         for node in lane.nodes().filter(|node| node.is_forward() == piece.forward) {
