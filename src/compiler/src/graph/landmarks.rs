@@ -124,23 +124,25 @@ fn choose([ahead, behind]: [&MotorWays; 2], ranks: &[u32], wanted: usize) -> Cho
     let first = (0..ranks.len() as u32).min_by_key(|place| ranks[*place as usize]);
     let Some(first) = first else { return chosen };
     let mut nearest = vec![f64::INFINITY; ranks.len()];
-    let near = |nearest: &mut [f64], ways: &MotorWays, reached: &Reached| {
-        ways.visit(reached, length, |place, distance| {
+    let near = |nearest: &mut [f64], ways: &MotorWays, reached: &Reached, room: &Room| {
+        for (place, distance) in ways.found(reached, room) {
             let near = &mut nearest[place as usize];
             *near = near.min(distance);
-        });
+        }
     };
     let [mut room, mut room_behind] = [Room::default(), Room::default()];
-    near(&mut nearest, ahead, &ahead.distances(first, length, &mut room));
+    let there = ahead.distances(first, length, &mut room);
+    near(&mut nearest, ahead, &there, &room);
     while chosen.places.len() < wanted.min(ranks.len()) {
+        let first = |place: &u32| Reverse(ranks[*place as usize]);
+        let far = |place: &u32| (nearest[*place as usize].to_bits(), first(place));
+        let places = || 0..ranks.len() as u32;
+        // A landmark is at none from itself.
+        let is_apart = |distance: f64| distance > 0.0 && distance.is_finite();
+        let reached = places().filter(|place| is_apart(nearest[*place as usize]));
         // Places that cannot be reached come last: most are small islands.
-        let far = |place: &u32| {
-            let distance = nearest[*place as usize];
-            let reached = distance.is_finite() && distance > 0.0;
-            (reached, if reached { distance.to_bits() } else { 0 }, Reverse(ranks[*place as usize]))
-        };
-        let open = (0..ranks.len() as u32).filter(|place| !chosen.places.contains(place));
-        let Some(place) = open.max_by_key(far) else { break };
+        let others = || places().filter(|place| !chosen.places.contains(place)).max_by_key(first);
+        let Some(place) = reached.max_by_key(far).or_else(others) else { break };
         let (there, back) = rayon::join(
             || ahead.distances(place, length, &mut room),
             || behind.distances(place, length, &mut room_behind),
@@ -149,8 +151,8 @@ fn choose([ahead, behind]: [&MotorWays; 2], ranks: &[u32], wanted: usize) -> Cho
             nearest.fill(f64::INFINITY);
         }
         chosen.places.push(place);
-        near(&mut nearest, ahead, &there);
-        near(&mut nearest, behind, &back);
+        near(&mut nearest, ahead, &there, &room);
+        near(&mut nearest, behind, &back, &room_behind);
         chosen.from.push(there);
         chosen.to.push(back);
     }
@@ -171,16 +173,21 @@ struct Columns {
 
 impl Columns {
     /// Of so many places; those that are not reached have the largest number.
-    fn of(searched: Vec<Searched<'_>>, places: usize, weight: fn(&Weight) -> f32) -> Self {
+    fn of(
+        searched: Vec<Searched<'_>>,
+        places: usize,
+        weight: impl Fn(&Weight) -> f32 + Copy + Sync,
+    ) -> Self {
         let step = step(&searched);
-        let column = |Searched { ways, reached }: Searched<'_>| {
+        let column = |room: &mut Room, Searched { ways, reached }: Searched<'_>| {
             let mut column = vec![u16::MAX; places];
-            ways.visit(&reached, weight, |place, distance| {
+            ways.visit(&reached, weight, room, |place, distance| {
                 column[place as usize] = (distance / step) as u16;
             });
             column
         };
-        Self { step, columns: searched.into_par_iter().map(column).collect() }
+        let columns = searched.into_par_iter().map_init(Room::default, column).collect();
+        Self { step, columns }
     }
 
     /// Place by place, of these.

@@ -8,29 +8,30 @@ use super::motor_edges::{Edge, Places, Sparse, Weight, edges};
 use mapd_archive::{NONE, Rows};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
-/// A place that follows another of its tree.
-struct Follower {
+/// A place of a tree. Its position is its rank among the places of all trees.
+struct Member {
     place: u32,
-    /// The number, within the tree, of the place that it follows; 0 is the tree's root.
+    /// Position of the place that it follows; of a root its own.
     after: u32,
+    /// The way between; of a root none.
     weight: Weight,
 }
 
 /// An edge from a place of a tree to a root.
 struct Exit {
-    /// The place's number within the tree.
+    /// The place's position.
     from: u32,
-    /// The root's number.
+    /// The root's tree.
     to: u32,
     weight: Weight,
 }
 
-/// Where the followers and exits of a tree begin.
+/// Where the places and exits of a tree begin.
 #[derive(Clone, Copy)]
 struct Tree {
-    root: u32,
-    followers: u32,
+    members: u32,
     exits: u32,
 }
 
@@ -38,10 +39,10 @@ struct Tree {
 pub(super) struct MotorWays {
     /// By number, and one behind the last.
     trees: Vec<Tree>,
-    /// Tree by tree; each behind the one that it follows.
-    followers: Vec<Follower>,
+    /// Tree by tree, its root first; each behind the one that it follows.
+    members: Vec<Member>,
     exits: Vec<Exit>,
-    /// By place the number of its tree, and its own in there.
+    /// By place where it is.
     in_trees: Vec<InTree>,
 }
 
@@ -49,8 +50,7 @@ pub(super) struct MotorWays {
 #[derive(Clone, Copy)]
 struct InTree {
     tree: u32,
-    /// 0 for the root; those that follow count from 1.
-    number: u32,
+    position: u32,
 }
 
 /// What a search works in. The next one uses the same memory: of a large map it is too much to be taken from the system each time.
@@ -58,9 +58,9 @@ struct InTree {
 pub(super) struct Room {
     /// Distances of roots.
     roots: Vec<f64>,
-    /// Roots that are reached, the nearest first.
+    /// Trees whose roots are reached, the nearest first.
     open: BinaryHeap<Reverse<(u64, u32)>>,
-    /// Distances of the places of a tree.
+    /// Distances of the places of some trees.
     own: Vec<f64>,
 }
 
@@ -82,10 +82,10 @@ impl MotorWays {
         for (to, _) in &edges.targets {
             entered[*to as usize] = entered[*to as usize].saturating_add(1);
         }
-        let not_yet = InTree { tree: NONE, number: 0 };
+        let not_yet = InTree { tree: NONE, position: 0 };
         let mut ways = Self {
             trees: Vec::new(),
-            followers: Vec::new(),
+            members: Vec::with_capacity(count),
             exits: Vec::with_capacity(edges.targets.len()),
             in_trees: vec![not_yet; count],
         };
@@ -99,8 +99,8 @@ impl MotorWays {
                 ways.grow(place, edges, &entered);
             }
         }
-        let (followers, exits) = (ways.followers.len() as u32, ways.exits.len() as u32);
-        ways.trees.push(Tree { root: NONE, followers, exits });
+        let (members, exits) = (ways.members.len() as u32, ways.exits.len() as u32);
+        ways.trees.push(Tree { members, exits });
         for exit in &mut ways.exits {
             exit.to = ways.in_trees[exit.to as usize].tree;
         }
@@ -110,22 +110,22 @@ impl MotorWays {
     /// Adds a root with all that follows it. Its exits name places: not all roots have a number yet.
     fn grow(&mut self, root: u32, edges: &Sparse, entered: &[u32]) {
         let tree = self.trees.len() as u32;
-        let (first, exits) = (self.followers.len(), self.exits.len());
-        self.trees.push(Tree { root, followers: first as u32, exits: exits as u32 });
-        self.in_trees[root as usize] = InTree { tree, number: 0 };
-        let (mut place, mut number) = (root, 0);
-        loop {
+        let (mut position, exits) = (self.members.len() as u32, self.exits.len() as u32);
+        self.trees.push(Tree { members: position, exits });
+        self.in_trees[root as usize] = InTree { tree, position };
+        let weight = Weight { length: 0.0, time: 0.0 };
+        self.members.push(Member { place: root, after: position, weight });
+        while let Some(place) = self.members.get(position as usize).map(|own| own.place) {
             for (to, weight) in edges.leaving(place) {
                 if entered[*to as usize] != 1 {
-                    self.exits.push(Exit { from: number, to: *to, weight: *weight });
+                    self.exits.push(Exit { from: position, to: *to, weight: *weight });
                     continue;
                 }
-                self.followers.push(Follower { place: *to, after: number, weight: *weight });
-                let own = (self.followers.len() - first) as u32;
-                self.in_trees[*to as usize] = InTree { tree, number: own };
+                let own = self.members.len() as u32;
+                self.in_trees[*to as usize] = InTree { tree, position: own };
+                self.members.push(Member { place: *to, after: position, weight: *weight });
             }
-            let Some(next) = self.followers.get(first + number as usize) else { break };
-            (place, number) = (next.place, number + 1);
+            position += 1;
         }
     }
 
@@ -134,9 +134,9 @@ impl MotorWays {
         self.trees.len() - 1
     }
 
-    fn followers(&self, tree: usize) -> &[Follower] {
-        let [from, to] = [tree, tree + 1].map(|tree| self.trees[tree].followers as usize);
-        &self.followers[from..to]
+    /// Positions of the places of some trees.
+    fn positions(&self, trees: Range<usize>) -> Range<usize> {
+        self.trees[trees.start].members as usize..self.trees[trees.end].members as usize
     }
 
     fn exits(&self, tree: usize) -> &[Exit] {
@@ -144,23 +144,35 @@ impl MotorWays {
         &self.exits[from..to]
     }
 
-    /// Distances of a tree's places by their numbers, from that of its root; the place of number `start` is where the search
-    /// began, if it is in this tree.
+    /// Distances of the places of some trees by their positions, from those of their roots.
     fn spread(
         &self,
-        tree: usize,
-        root: f64,
-        start: Option<u32>,
-        weight: impl Fn(&Weight) -> f32,
+        first: usize,
+        roots: &[f64],
+        start: InTree,
+        weight: impl Fn(&Weight) -> f32 + Copy,
         distances: &mut Vec<f64>,
     ) {
-        distances.clear();
-        distances.push(if start == Some(0) { 0.0 } else { root });
-        for (own, follower) in (1..).zip(self.followers(tree)) {
-            let before = distances[follower.after as usize];
-            let there = before + f64::from(weight(&follower.weight));
-            distances.push(if start == Some(own) { 0.0 } else { there });
+        let trees = first..first + roots.len();
+        let Range { start: base, end } = self.positions(trees.clone());
+        distances.resize(end - base, f64::INFINITY);
+        for (tree, root) in self.trees[trees].iter().zip(roots) {
+            distances[tree.members as usize - base] = *root;
         }
+        let pass = |from: usize, to: usize, distances: &mut [f64]| {
+            for (i, own) in (from - base..).zip(&self.members[from..to]) {
+                let before = distances[own.after as usize - base];
+                distances[i] = before + f64::from(weight(&own.weight));
+            }
+        };
+        let start = start.position as usize;
+        if !(base..end).contains(&start) {
+            return pass(base, end, distances);
+        }
+        // The place where the search began follows nothing.
+        pass(base, start, distances);
+        distances[start - base] = 0.0;
+        pass(start + 1, end, distances);
     }
 
     /// Distances from a place to all (Dijkstra).
@@ -173,18 +185,13 @@ impl MotorWays {
         let start = self.in_trees[from as usize];
         roots.clear();
         roots.resize(self.len(), f64::INFINITY);
-        if start.number == 0 {
-            roots[start.tree as usize] = 0.0;
-        }
-        let mut largest = 0.0;
         // The tree where the search begins comes first; if its root is reached from elsewhere, once more.
         let (mut tree, mut distance) = (start.tree as usize, f64::INFINITY);
         loop {
-            let here = (tree == start.tree as usize).then_some(start.number);
-            self.spread(tree, distance, here, weight, own);
-            largest = own.iter().filter(|d| d.is_finite()).copied().fold(largest, f64::max);
+            self.spread(tree, &[distance], start, weight, own);
+            let base = self.trees[tree].members;
             for exit in self.exits(tree) {
-                let there = own[exit.from as usize] + f64::from(weight(&exit.weight));
+                let there = own[(exit.from - base) as usize] + f64::from(weight(&exit.weight));
                 let known = &mut roots[exit.to as usize];
                 if there < *known {
                     *known = there;
@@ -192,54 +199,45 @@ impl MotorWays {
                     open.push(Reverse((there.to_bits(), exit.to)));
                 }
             }
-            let next = loop {
-                let Some(Reverse((bits, next))) = open.pop() else { break None };
-                let there = f64::from_bits(bits);
-                if there <= roots[next as usize] {
-                    break Some((next as usize, there));
-                }
-            };
-            let Some(next) = next else { break };
+            let taken = std::iter::from_fn(|| open.pop());
+            let mut taken =
+                taken.map(|Reverse((bits, tree))| (tree as usize, f64::from_bits(bits)));
+            let Some(next) = taken.find(|(tree, there)| *there <= roots[*tree]) else { break };
             (tree, distance) = next;
         }
-        Reached::of(roots, start, largest)
+        let mut reached = Reached::of(roots, start);
+        self.spread(reached.first, &reached.roots, start, weight, own);
+        let finite = own.iter().copied().filter(|distance| distance.is_finite());
+        reached.largest = finite.fold(0.0, f64::max);
+        reached
     }
 
-    /// Hands over the places that are reached with their distances, tree by tree.
+    /// The places of trees that are reached, with the distances that the last search in this room found.
+    pub(super) fn found<'a>(
+        &'a self,
+        reached: &Reached,
+        room: &'a Room,
+    ) -> impl Iterator<Item = (u32, f64)> + use<'a> {
+        let positions = self.positions(reached.trees());
+        let places = self.members[positions].iter().map(|member| member.place);
+        places.zip(room.own.iter().copied()).filter(|(_, distance)| distance.is_finite())
+    }
+
+    /// Hands over the places that are reached with their distances, found once more.
     pub(super) fn visit(
         &self,
         reached: &Reached,
         weight: impl Fn(&Weight) -> f32 + Copy,
+        room: &mut Room,
         mut found: impl FnMut(u32, f64),
     ) {
-        let start = reached.start;
-        let mut own = Vec::new();
-        let mut visit = |tree: usize, root: f64, start: Option<u32>| {
-            self.spread(tree, root, start, weight, &mut own);
-            let mut found = |place: u32, distance: f64| {
-                if distance.is_finite() {
-                    found(place, distance);
-                }
-            };
-            let Some((root, others)) = own.split_first() else { return };
-            found(self.trees[tree].root, *root);
-            for (follower, distance) in self.followers(tree).iter().zip(others) {
-                found(follower.place, *distance);
-            }
-        };
-        for (tree, root) in (reached.first..).zip(&reached.roots) {
-            if root.is_finite() && tree != start.tree as usize {
-                visit(tree, *root, None);
-            }
-        }
-        let root = (start.tree as usize).checked_sub(reached.first);
-        let root = root.and_then(|at| reached.roots.get(at)).copied().unwrap_or(f64::INFINITY);
-        visit(start.tree as usize, root, Some(start.number));
+        self.spread(reached.first, &reached.roots, reached.start, weight, &mut room.own);
+        self.found(reached, room).for_each(|(place, distance)| found(place, distance));
     }
 }
 
 /// Distances of roots, but for the unreached ones before the first that is reached and behind the last: of a map whose parts
-/// are not joined, as tiles side by side, most are.
+/// are not joined, as tiles side by side, most are. The tree where the search began is among them in any case.
 pub(super) struct Reached {
     first: usize,
     roots: Vec<f64>,
@@ -250,11 +248,17 @@ pub(super) struct Reached {
 }
 
 impl Reached {
-    fn of(all: &[f64], start: InTree, largest: f64) -> Self {
+    fn of(all: &[f64], start: InTree) -> Self {
         let is_reached = |distance: &f64| distance.is_finite();
-        let first = all.iter().position(is_reached).unwrap_or(all.len());
-        let end = all.iter().rposition(is_reached).map_or(first, |last| last + 1);
-        Self { first, roots: all.get(first..end).unwrap_or_default().to_vec(), start, largest }
+        let own = start.tree as usize;
+        let first = all.iter().position(is_reached).map_or(own, |first| first.min(own));
+        let last = all.iter().rposition(is_reached).map_or(own, |last| last.max(own));
+        let roots = all.get(first..=last).unwrap_or_default().to_vec();
+        Self { first, roots, start, largest: 0.0 }
+    }
+
+    fn trees(&self) -> Range<usize> {
+        self.first..self.first + self.roots.len()
     }
 }
 
@@ -288,7 +292,9 @@ mod tests {
         for start in 0..count as u32 {
             let reached = ways.distances(start, length, &mut room);
             let mut found = vec![f64::INFINITY; count];
-            ways.visit(&reached, length, |place, distance| found[place as usize] = distance);
+            ways.visit(&reached, length, &mut room, |place, distance| {
+                found[place as usize] = distance;
+            });
             let expected = expected(edges, count, start);
             assert_eq!(found, expected, "from {start}");
             let finite = expected.iter().copied().filter(|distance| distance.is_finite());

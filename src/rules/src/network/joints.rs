@@ -31,7 +31,7 @@ pub struct LaneJoint<'a> {
     /// The end of the section.
     pub end: Contact,
     /// The link.
-    pub link: super::LaneLinkFacts,
+    pub link: &'a super::LaneLinkFacts,
     /// What touches there.
     pub neighbor: Option<Neighbor<'a>>,
     network: &'a Network,
@@ -159,43 +159,42 @@ impl Network {
         Some(Neighbor { road: target, section, end: contact })
     }
 
-    /// Every link of every lane.
-    pub fn lane_joints(&self) -> impl Iterator<Item = LaneJoint<'_>> {
-        self.roads.iter().flat_map(move |road| self.lane_joints_of(road))
-    }
-
-    /// Every link of a road's lanes.
-    pub fn lane_joints_of<'a>(
-        &'a self,
-        road: &'a RoadFacts,
-    ) -> impl Iterator<Item = LaneJoint<'a>> {
-        let sections = self.sections_of(road).iter().enumerate();
-        sections.flat_map(move |(rank, section)| {
-            // Of lanes on a side that the section holds, the neighbors on that side.
-            let neighbors = [1, -1].map(|side| {
-                let is_there =
-                    self.lanes_of(section).iter().any(|lane| (lane.id < 0) == (side < 0));
-                Contact::BOTH
-                    .map(|end| is_there.then(|| self.neighbor(road, rank, end, side)).flatten())
-            });
-            let lanes = section.lane_ranks().zip(self.lanes_of(section));
-            lanes.flat_map(move |(lane_rank, lane)| {
-                let neighbors = neighbors[usize::from(lane.id < 0)];
-                Contact::BOTH.into_iter().flat_map(move |end| {
-                    self.links_of(lane, end).iter().map(move |link| LaneJoint {
-                        road,
-                        section,
-                        rank,
-                        lane,
-                        lane_rank,
-                        end,
-                        link: *link,
-                        neighbor: neighbors[end as usize],
-                        network: self,
-                    })
-                })
-            })
-        })
+    /// Shows every link of every lane.
+    pub fn each_lane_joint<'a>(&'a self, mut show: impl FnMut(&LaneJoint<'a>)) {
+        for road in &self.roads {
+            for (rank, section) in self.sections_of(road).iter().enumerate() {
+                let lanes = self.lanes_of(section);
+                // Lanes stand by falling id: those to the left come first.
+                let sides = [
+                    lanes.first().is_some_and(|lane| lane.id >= 0),
+                    lanes.last().is_some_and(|lane| lane.id < 0),
+                ];
+                let neighbors = [1, -1].map(|side| {
+                    let is_there = sides[usize::from(side < 0)];
+                    Contact::BOTH
+                        .map(|end| is_there.then(|| self.neighbor(road, rank, end, side)).flatten())
+                });
+                for (lane_rank, lane) in section.lane_ranks().zip(lanes) {
+                    for end in Contact::BOTH {
+                        let neighbor = neighbors[usize::from(lane.id < 0)][end as usize];
+                        for link in self.links_of(lane, end) {
+                            let network = self;
+                            show(&LaneJoint {
+                                road,
+                                section,
+                                rank,
+                                lane,
+                                lane_rank,
+                                end,
+                                link,
+                                neighbor,
+                                network,
+                            });
+                        }
+                    }
+                }
+            }
+        }
     }
 
     /// Links of a lane at an end of its section.

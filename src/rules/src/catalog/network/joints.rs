@@ -128,7 +128,7 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
         let found = format_args!("them {gap:.3} m away");
         sink.add_in(PartOf::road(own, &part), link, expected, found);
     };
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         let Some(Neighbor { road, section, end }) = joint.neighbor else { return };
         let own =
             LaneEnd { road: joint.road, section: joint.section, lane: joint.lane, end: joint.end };
@@ -148,7 +148,7 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
                 let found = astray(network, &own, &others);
                 for (at, gap) in found.into_iter().flatten() {
                     if let (Some(span), Some(other)) = (spans.get(at), others.get(at)) {
-                        add(&joint, *span, other, gap);
+                        add(joint, *span, other, gap);
                     }
                 }
             }
@@ -163,7 +163,7 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
         }
         let other = LaneEnd { road, section, lane, end };
         if let [Some((_, gap)), _] = astray(network, &own, &[other]) {
-            add(&joint, joint.link.span, &other, gap);
+            add(joint, joint.link.span, &other, gap);
         }
     });
     for junction in network.junctions.iter().filter(|junction| junction.kind == Kind::Default) {

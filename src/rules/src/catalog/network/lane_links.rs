@@ -143,7 +143,7 @@ fn add(
 }
 
 fn orphans(network: &Network, sink: &mut Sink<'_>) {
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         // Lane 0 is in every section.
         if let Some(neighbor) =
             joint.neighbor.filter(|_| joint.link.id != 0 && joint.target().is_none())
@@ -152,7 +152,7 @@ fn orphans(network: &Network, sink: &mut Sink<'_>) {
             let expected = format_args!("a lane of road {road} at s = {}", neighbor.section.s);
             add(
                 network,
-                &joint,
+                joint,
                 sink,
                 expected,
                 format_args!("lane {}, which does not exist", joint.link.id),
@@ -162,7 +162,7 @@ fn orphans(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn both_ways(network: &Network, sink: &mut Sink<'_>) {
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         let Some(neighbor) = joint.neighbor else { return };
         // Where a road within a junction links to one outside of it, the way back is the junction's.
         if joint.road.junction.is_some() && neighbor.road.junction.is_none() {
@@ -173,20 +173,20 @@ fn both_ways(network: &Network, sink: &mut Sink<'_>) {
         if !back.iter().any(|link| link.id == joint.lane.id) {
             let road = network.name(neighbor.road.id);
             let expected = format_args!("a link back from lane {} of road {road}", target.id);
-            add(network, &joint, sink, expected, "none");
+            add(network, joint, sink, expected, "none");
         }
     });
 }
 
 fn opening(network: &Network, sink: &mut Sink<'_>) {
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         let is_open = joint.lane.width(joint.end) > NONE.value;
         let Some(neighbor) = joint.neighbor.filter(|_| is_open) else { return };
         let Some(target) = joint.target() else { return };
         if target.width(neighbor.end) <= NONE.value {
             add(
                 network,
-                &joint,
+                joint,
                 sink,
                 "no link to a lane without width here",
                 format_args!("one to lane {}", target.id),
@@ -203,12 +203,12 @@ fn opening(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
-    let joints = network.lane_joints();
-    joints.filter(|joint| joint.end == end).for_each(|joint| {
-        if joint.lane.width(end) <= NONE.value && joint.target().is_some() {
+    network.each_lane_joint(|joint| {
+        let is_none = joint.end == end && joint.lane.width(end) <= NONE.value;
+        if is_none && joint.target().is_some() {
             add(
                 network,
-                &joint,
+                joint,
                 sink,
                 "no link of a lane without width here",
                 format_args!("one to lane {}", joint.link.id),
@@ -241,7 +241,7 @@ fn no_width_at_end(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn abrupt(network: &Network, sink: &mut Sink<'_>) {
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         let is_one_of_many = network.links_of(joint.lane, joint.end).len() > 1;
         let Some(neighbor) = joint.neighbor.filter(|_| is_one_of_many) else { return };
         let Some(target) = joint.target() else { return };
@@ -250,7 +250,7 @@ fn abrupt(network: &Network, sink: &mut Sink<'_>) {
         if own <= NONE.value || width <= NONE.value {
             add(
                 network,
-                &joint,
+                joint,
                 sink,
                 "widths of both lanes where several link",
                 format_args!("{own} and {width} m"),
@@ -260,7 +260,7 @@ fn abrupt(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn without_partner(network: &Network, sink: &mut Sink<'_>) {
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         if joint.neighbor.is_some() {
             return;
         }
@@ -270,12 +270,12 @@ fn without_partner(network: &Network, sink: &mut Sink<'_>) {
             Some(LinkTarget::Road(_)) => return,
             Some(LinkTarget::Junction(id)) => format!("one into junction {}", network.name(*id)),
         };
-        add(network, &joint, sink, "no link", found);
+        add(network, joint, sink, "no link", found);
     });
 }
 
 fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         let links = network.links_of(joint.lane, joint.end);
         let is_second =
             links.len() > 1 && links.first().is_none_or(|first| first.id != joint.link.id);
@@ -287,7 +287,7 @@ fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
         {
             add(
                 network,
-                &joint,
+                joint,
                 sink,
                 "one lane of the next road, or a junction",
                 format_args!("{}", links.len()),
@@ -297,7 +297,7 @@ fn ambiguous(network: &Network, sink: &mut Sink<'_>) {
 }
 
 fn directions(network: &Network, sink: &mut Sink<'_>) {
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         let Some(neighbor) = joint.neighbor.filter(|_| is_drivable(joint.lane.kind)) else {
             return;
         };
@@ -315,7 +315,7 @@ fn directions(network: &Network, sink: &mut Sink<'_>) {
                 target.id,
                 network.name(neighbor.road.id)
             );
-            add(network, &joint, sink, "a lane that goes on in the same direction", found);
+            add(network, joint, sink, "a lane that goes on in the same direction", found);
         }
     });
 }

@@ -50,7 +50,7 @@ fn level(network: &Network, sink: &mut Sink<'_>) {
             outwards(&mut right.iter());
         }
     }
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         let Some(target) = joint.target().filter(|target| target.is_level != joint.lane.is_level)
         else {
             return;

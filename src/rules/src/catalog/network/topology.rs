@@ -68,7 +68,7 @@ fn root(parents: &mut [usize], mut at: usize) -> usize {
 
 /// Every pair of lanes that are linked, by rank among all lanes.
 fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
-    network.lane_joints().for_each(|joint| {
+    network.each_lane_joint(|joint| {
         let target = joint.neighbor.and_then(|n| network.lane_rank(n.section, joint.link.id));
         if let Some(target) = target {
             show(joint.lane_rank, target);
