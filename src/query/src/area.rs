@@ -344,6 +344,16 @@ pub(crate) fn place_at_foot<'a>(
 /// The place of a point with respect to one slab, wherever the point is; `local` is relative to the map's origin.
 #[inline]
 pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabPosition<'a> {
+    place_inlined(lane, slab, local)
+}
+
+/// As [`place`], for who asks so often that a call counts.
+#[inline(always)]
+pub(crate) fn place_inlined<'a>(
+    lane: &Lane<'a>,
+    slab: &Slab<'a>,
+    local: DVec2,
+) -> SlabPosition<'a> {
     let (curve, s) = (&slab.piece.curve, slab.piece.s);
     let (first, last) = (slab.s_lo - s, slab.s_hi - s);
     // Most points lie beside the slab. Of a line or an arc that is told for less.
@@ -437,6 +447,10 @@ impl Border<'_, '_> {
 
     /// Whether the border's t bends so much within the slab that from so far away there may be several nearest places.
     fn swings(&self, distance: f64) -> bool {
+        // Mostly it does not bend at all, which is cheaper to tell.
+        if self.lane.even_outer(self.slab.at(self.slab.s_lo), self.slab.s_hi).is_some() {
+            return false;
+        }
         let slopes = [self.slab.s_lo, self.slab.middle(), self.slab.s_hi].map(|s| {
             let slopes = self.lane.edge_slopes(self.slab.at(s));
             if self.outer { slopes.outer.derivative } else { slopes.inner.derivative }

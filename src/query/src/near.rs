@@ -53,11 +53,12 @@ impl<'a> Map<'a> {
                 let lane = lane.filter(|lane| options.types.contains(lane.kind()));
                 let Some(lane) = lane else { continue };
                 let found = Candidate::on(&lane, segments[k], point, local, options);
-                let found = found.filter(|found| found.distance() <= most);
-                let Some(found) = found.map(|found| found.nearest_on(&lane)) else { continue };
+                let Some(found) = found.filter(|found| found.distance() <= most) else { continue };
                 match known.and_then(|at| out.get_mut(at)) {
-                    None => out.push(found),
-                    Some(known) if self.is_better(&found, known, point, options) => *known = found,
+                    None => out.push(found.nearest_on(&lane)),
+                    Some(known) if self.is_better(&found, known, point, options) => {
+                        *known = found.nearest_on(&lane);
+                    }
                     Some(_) => {}
                 }
             }
@@ -122,7 +123,17 @@ impl<'a> Map<'a> {
         a.position.distance.total_cmp(&b.position.distance).then_with(tied)
     }
 
-    fn is_better(&self, a: &Nearest, b: &Nearest, point: Point, options: &NearestOptions) -> bool {
-        self.compare(a, b, point, options) == Ordering::Less
+    #[inline]
+    fn is_better(
+        &self,
+        found: &Candidate<'a>,
+        known: &Nearest,
+        point: Point,
+        options: &NearestOptions,
+    ) -> bool {
+        let tied =
+            || self.rank_of(known, point, options).map(|known| found.rank().order(&known, *self));
+        let order = found.distance().total_cmp(&known.position.distance);
+        order.then_with(|| tied().unwrap_or(Ordering::Equal)).is_lt()
     }
 }

@@ -186,9 +186,11 @@ impl<'a> Candidate<'a> {
         options: &NearestOptions,
     ) -> Option<Self> {
         let slab = area::slab(lane, usize::from(segment))?;
-        let place = area::place(lane, &slab, local);
+        let place = area::place_inlined(lane, &slab, local);
+        let (map, foot) = (lane.map, place.s());
+        let stretch = LaneSegment { lane: lane.row_number(), segment };
         Self::new(lane, place, point, options)
-            .or_else(|| Self::passing(lane, &slab, place.s(), point, local, options))
+            .or_else(|| Self::passing(map, stretch, foot, point, local, options))
     }
 
     /// s of the place on a slab nearest to the point, and the place unless it is excluded. Generated once.
@@ -233,7 +235,7 @@ impl<'a> Candidate<'a> {
     }
 
     #[inline]
-    fn rank(&self) -> Rank {
+    pub(crate) fn rank(&self) -> Rank {
         Rank {
             lane: self.lane,
             distance: self.place.distance,
@@ -433,7 +435,7 @@ impl<'a> Map<'a> {
         let lane = lane.filter(|lane| options.types.contains(lane.kind()))?;
         let slab = area::slab(&lane, usize::from(stretch.segment))?;
         let (foot, found) = Candidate::on_slab(&lane, &slab, point, local, options);
-        found.or_else(|| Candidate::passing(&lane, &slab, foot, point, local, options))
+        found.or_else(|| Candidate::passing(*self, stretch, foot, point, local, options))
     }
 }
 

@@ -2,8 +2,10 @@
 //!
 //! Where the index cuts a lane must not show in answers: a stretch is not left out for its nearest place alone.
 
-use crate::area::Slab;
+use crate::area::{self, Slab};
+use crate::index::LaneSegment;
 use crate::lane::Lane;
+use crate::map::Map;
 use crate::nearest::{Candidate, NearestOptions, heading_difference};
 use crate::types::Point;
 use glam::DVec2;
@@ -61,17 +63,20 @@ impl<'a> Asked<'_, 'a> {
 }
 
 impl<'a> Candidate<'a> {
-    /// As [`Candidate::on`], where the place nearest to the point, at `foot`, is excluded.
+    /// As [`Candidate::on`], where the place nearest to the point, at `foot`, is excluded. Lane and slab are made again, so that who finds
+    /// nothing excluded need not keep them in memory.
     #[cold]
     #[inline(never)]
     pub(crate) fn passing(
-        lane: &Lane<'a>,
-        slab: &Slab<'a>,
+        map: Map<'a>,
+        stretch: LaneSegment,
         foot: f64,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
     ) -> Option<Self> {
+        let lane = &Lane::new(map, stretch.lane)?;
+        let slab = &area::slab(lane, usize::from(stretch.segment))?;
         let asked = Asked { lane, slab, point, local, options };
         match (asked.towards(slab.s_lo, foot), asked.towards(slab.s_hi, foot)) {
             (Some(low), Some(high)) if high.distance() < low.distance() => Some(high),

@@ -33,8 +33,9 @@ impl Rank {
     /// A lane that has no width there comes last: on the edge of another it has the smaller offset.
     #[inline]
     fn order_by_width(&self, other: &Self, map: Map<'_>) -> Ordering {
-        // Within lanes, one that is a line has no offset.
-        if self.distance == 0.0 && self.offset != 0.0 && other.offset != 0.0 {
+        // Two stretches of one lane meet everywhere; and within lanes, one that is a line has no offset.
+        let is_inside = self.distance == 0.0 && self.offset != 0.0 && other.offset != 0.0;
+        if is_inside || self.lane == other.lane {
             return Ordering::Equal;
         }
         self.is_line(map).cmp(&other.is_line(map))
