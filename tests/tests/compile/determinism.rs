@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the format or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "d0c3ba521efad58ce39c22ddc880ee1d0e1d69ca76a4012304dd282af3f441da"),
+    ("one_road.xodr", "", "3f3c6bda366a20e2ec5335f59163a4118b87ba370d00a11b01bde819639ffec4"),
     ("town.xodr", "", "510a5177e2a4876c71a9b2f75f3485e2bef619c67104e619e24467b261906422"),
-    ("one_road.xodr", "utm", "424e5879360f96d5b68758021613a9f6bcfae6ee2fd231f0c450a39581c26067"),
+    ("one_road.xodr", "utm", "0591a1b7d85ac2419217782ccce67b0069e6f8d06116ca8e2dad5b182c91a3f0"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "3e0d121eaf27b197a89da92a0fc70550e4e0dea5da8ccb7ded0e14274e537351",
+        "a0d14258e353f5cc848c26d68a3e0b5bae9f3d50979bcb9ce581de9d050cb216",
     ),
 ];
 

@@ -108,7 +108,7 @@ pub(super) static RULES: &[Rule] = &[
         records!(
             "<elevationProfile>",
             "elevation",
-            r#"a="1" b="0.01" c="0" d="0"/>"#,
+            r#"a="1" b="0" c="0" d="0"/>"#,
             "</elevationProfile>"
         ),
     ),
@@ -119,7 +119,7 @@ pub(super) static RULES: &[Rule] = &[
         records!(
             "<lateralProfile>",
             "superelevation",
-            r#"a="0" b="0.001" c="0" d="0"/>"#,
+            r#"a="0.05" b="0" c="0" d="0"/>"#,
             "</lateralProfile>"
         ),
     ),
