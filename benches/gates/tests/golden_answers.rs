@@ -19,10 +19,10 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
     (
         "one_road.xodr",
         [
-            "322eb5fcbb6d59ff",
-            "aa7619566808e3ae",
-            "3da62d3aac38d2e6",
-            "0a70ec05ca73a8f6",
+            "b7753ddd497de525",
+            "b4cde566b29d2246",
+            "e11b9a01f8adf194",
+            "aa5b17d66c34625b",
             "af1349b9f5f9a1a6",
             "4d56ea031cd7a25d",
         ],
