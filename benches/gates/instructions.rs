@@ -20,14 +20,14 @@ const RUNS: [usize; 2] = [500, 2_500];
 const BOUNDS: [(&str, u64); 12] = [
     ("nearest", 3_385),
     ("trajectory", 2_985),
-    ("beside", 24_460),
-    ("hinted", 6_930),
+    ("beside", 23_920),
+    ("hinted", 6_300),
     ("inertial", 520),
     ("inertial-trajectory", 515),
     ("track", 755),
     ("position", 1_650),
     ("contains", 1_155),
-    ("near", 31_630),
+    ("near", 30_240),
     ("near-few", 6_140),
     ("short-length", 1_175),
 ];
@@ -68,7 +68,7 @@ const BLOCKS: usize = 12;
 /// Times that it is compiled in the short and in the long run.
 const COMPILATIONS: [usize; 2] = [1, 3];
 /// Instructions that compiling may take per byte of OpenDRIVE, without landmarks: as for queries.
-const PER_BYTE: f64 = 398.0;
+const PER_BYTE: f64 = 389.0;
 /// Most that compiling may take with a patch of some roads, as a share of what it takes without.
 const PATCHED: f64 = 1.10;
 
