@@ -440,7 +440,7 @@ impl<'a> Map<'a> {
 }
 
 /// Whether a class of vehicles may use a lane at s in no direction.
-fn is_closed(lane: &Lane<'_>, s: f64, vehicle: VehicleClass) -> bool {
+pub(crate) fn is_closed(lane: &Lane<'_>, s: f64, vehicle: VehicleClass) -> bool {
     let open = |forward| lane.node_at(s, forward).is_some_and(|node| node.allows(vehicle));
     !open(true) && !open(false)
 }

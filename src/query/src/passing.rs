@@ -6,7 +6,7 @@ use crate::area::{self, Slab};
 use crate::index::LaneSegment;
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::nearest::{Candidate, NearestOptions, heading_difference};
+use crate::nearest::{Candidate, NearestOptions, heading_difference, is_closed};
 use crate::types::Point;
 use glam::DVec2;
 use mapd_geometry::normalize_angle;
@@ -34,7 +34,7 @@ impl<'a> Asked<'_, 'a> {
 
     #[inline(never)]
     fn passes(&self, s: f64) -> bool {
-        // Headings are cheaper to tell than places.
+        // Headings and who may drive are cheaper to tell than places.
         if let (Some(heading), Some(tolerance)) =
             (self.options.heading, self.options.heading_tolerance)
         {
@@ -44,7 +44,8 @@ impl<'a> Asked<'_, 'a> {
                 return false;
             }
         }
-        self.between(s, s).is_some()
+        let closed = |vehicle| is_closed(self.lane, s, vehicle);
+        !self.options.vehicle.is_some_and(closed) && self.between(s, s).is_some()
     }
 
     /// The nearest place that passes on the side of this end.
@@ -76,6 +77,10 @@ impl<'a> Candidate<'a> {
         options: &NearestOptions,
     ) -> Option<Self> {
         let lane = &Lane::new(map, stretch.lane)?;
+        let closed = |vehicle| !lane.nodes().any(|node| node.allows(vehicle));
+        if options.vehicle.is_some_and(closed) {
+            return None;
+        }
         let slab = &area::slab(lane, usize::from(stretch.segment))?;
         let asked = Asked { lane, slab, point, local, options };
         match (asked.towards(slab.s_lo, foot), asked.towards(slab.s_hi, foot)) {
