@@ -342,18 +342,9 @@ pub(crate) fn place_at_foot<'a>(
 }
 
 /// The place of a point with respect to one slab, wherever the point is; `local` is relative to the map's origin.
-#[inline]
-pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabPosition<'a> {
-    place_inlined(lane, slab, local)
-}
-
-/// As [`place`], for who asks so often that a call counts.
+// Without a call, since `lanes_near` asks for every lane within its radius.
 #[inline(always)]
-pub(crate) fn place_inlined<'a>(
-    lane: &Lane<'a>,
-    slab: &Slab<'a>,
-    local: DVec2,
-) -> SlabPosition<'a> {
+pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabPosition<'a> {
     let (curve, s) = (&slab.piece.curve, slab.piece.s);
     let (first, last) = (slab.s_lo - s, slab.s_hi - s);
     // Most points lie beside the slab. Of a line or an arc that is told for less.

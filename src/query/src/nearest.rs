@@ -186,24 +186,21 @@ impl<'a> Candidate<'a> {
         options: &NearestOptions,
     ) -> Option<Self> {
         let slab = area::slab(lane, usize::from(segment))?;
-        let place = area::place_inlined(lane, &slab, local);
-        let (map, foot) = (lane.map, place.s());
-        let stretch = LaneSegment { lane: lane.row_number(), segment };
-        Self::new(lane, place, point, options)
-            .or_else(|| Self::passing(map, stretch, foot, point, local, options))
+        let (map, stretch) = (lane.map, LaneSegment { lane: lane.row_number(), segment });
+        Self::nearest_in(lane, &slab, point, local, options)
+            .or_else(|| Self::passing(map, stretch, point, local, options))
     }
 
-    /// s of the place on a slab nearest to the point, and the place unless it is excluded. Generated once.
-    #[inline(never)]
-    pub(crate) fn on_slab(
+    /// The place in a slab nearest to the point, unless it is excluded.
+    #[inline(always)]
+    pub(crate) fn nearest_in(
         lane: &Lane<'a>,
         slab: &Slab<'a>,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
-    ) -> (f64, Option<Self>) {
-        let place = area::place(lane, slab, local);
-        (place.s(), Self::new(lane, place, point, options))
+    ) -> Option<Self> {
+        Self::new(lane, area::place(lane, slab, local), point, options)
     }
 
     /// As [`Self::new`], in a stretch that holds the point.
@@ -433,9 +430,7 @@ impl<'a> Map<'a> {
     ) -> Option<Candidate<'a>> {
         let lane = Lane::new(*self, stretch.lane);
         let lane = lane.filter(|lane| options.types.contains(lane.kind()))?;
-        let slab = area::slab(&lane, usize::from(stretch.segment))?;
-        let (foot, found) = Candidate::on_slab(&lane, &slab, point, local, options);
-        found.or_else(|| Candidate::passing(*self, stretch, foot, point, local, options))
+        Candidate::on(&lane, stretch.segment, point, local, options)
     }
 }
 

@@ -26,10 +26,11 @@ struct Asked<'q, 'a> {
 }
 
 impl<'a> Asked<'_, 'a> {
-    /// The place nearest to the point between two s, unless it is excluded.
+    /// The place nearest to the point between two s, unless it is excluded. Generated once: all of this is rarely asked.
+    #[inline(never)]
     fn between(&self, s_lo: f64, s_hi: f64) -> Option<Candidate<'a>> {
         let part = self.slab.part(s_lo, s_hi);
-        Candidate::on_slab(self.lane, &part, self.point, self.local, self.options).1
+        Candidate::nearest_in(self.lane, &part, self.point, self.local, self.options)
     }
 
     #[inline(never)]
@@ -64,14 +65,13 @@ impl<'a> Asked<'_, 'a> {
 }
 
 impl<'a> Candidate<'a> {
-    /// As [`Candidate::on`], where the place nearest to the point, at `foot`, is excluded. Lane and slab are made again, so that who finds
+    /// As [`Candidate::on`], where the place nearest to the point is excluded. Lane and slab are made again, so that who finds
     /// nothing excluded need not keep them in memory.
     #[cold]
     #[inline(never)]
     pub(crate) fn passing(
         map: Map<'a>,
         stretch: LaneSegment,
-        foot: f64,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
@@ -82,6 +82,7 @@ impl<'a> Candidate<'a> {
             return None;
         }
         let slab = &area::slab(lane, usize::from(stretch.segment))?;
+        let foot = area::place(lane, slab, local).s();
         let asked = Asked { lane, slab, point, local, options };
         match (asked.towards(slab.s_lo, foot), asked.towards(slab.s_hi, foot)) {
             (Some(low), Some(high)) if high.distance() < low.distance() => Some(high),

@@ -7,7 +7,7 @@ use crate::profile::value_at;
 use crate::rule::Check::Road;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
-use mapd_xodr::{CubicRecord, LaneType};
+use mapd_xodr::{CubicRecord, Lane, LaneType};
 
 /// Steps of height, lane offset and width that come from rounding in the file.
 const STEP: Tolerance = Tolerance { name: "step", value: 0.01, unit: "m" };
@@ -69,7 +69,9 @@ fn jumps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for lanes in &road.lanes {
         // Where a section begins, lanes are counted anew: lane 0 may be another line.
         let begins = |s: f64| {
-            lanes.lane_section.iter().any(|section| (number(&section.s) - s).abs() <= AT.value)
+            let sections = &lanes.lane_section;
+            let next = sections.partition_point(|own| number(&own.s) < s - AT.value);
+            sections.get(next).is_some_and(|own| number(&own.s) <= s + AT.value)
         };
         report(&lanes.lane_offset, length, &STEP, begins, || "lanes/laneOffset".to_owned(), sink);
     }
@@ -81,12 +83,14 @@ fn jumps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn widths(section: &SectionIn<'_>, side: Side, sink: &mut Sink<'_>) {
-    for lane in section.side(side) {
-        let kind = value(&lane.r#type).unwrap_or(LaneType::None);
-        if lane.width.len() > 1 && is_drivable(kind) {
-            let path =
-                || format!("lanes/laneSection[@s={}]/{}", section.s(), lane_part(lane, "/width"));
-            report(&lane.width, section.length_of(side), &STEP, |_| false, path, sink);
-        }
+    let is_drivable = |lane: &Lane| is_drivable(value(&lane.r#type).unwrap_or(LaneType::None));
+    let several = |lane: &&Lane| lane.width.len() > 1 && is_drivable(lane);
+    let mut lanes = section.side(side).iter().filter(several).peekable();
+    // A section of one side alone looks for its end among those that follow.
+    let Some(length) = lanes.peek().map(|_| section.length_of(side)) else { return };
+    for lane in lanes {
+        let part =
+            || format!("lanes/laneSection[@s={}]/{}", section.s(), lane_part(lane, "/width"));
+        report(&lane.width, length, &STEP, |_| false, part, sink);
     }
 }
