@@ -29,7 +29,7 @@ const BOUNDS: [(&str, u64); 12] = [
     ("contains", 1_155),
     ("near", 30_240),
     ("near-few", 6_140),
-    ("short-length", 1_175),
+    ("short-length", 780),
 ];
 
 /// Most that all lanes near a place may take where they are few, as a multiple of the nearest alone within the same radius.
@@ -46,14 +46,14 @@ const CLOUDS: [usize; 2] = [1, 3];
 const PATH_BOUNDS: [(&str, u64); 10] = [
     ("project", 970),
     ("at", 3_140),
-    ("build", 727_000),
+    ("build", 509_300),
     ("corridor", 184_400),
     ("surface", 378_200),
     ("segments", 12_250),
-    ("conflicts", 1_290_000),
-    ("request", 33_300),
-    ("alternatives", 135_200),
-    ("reach", 75_850),
+    ("conflicts", 1_181_000),
+    ("request", 25_060),
+    ("alternatives", 109_950),
+    ("reach", 44_100),
 ];
 /// Instructions that one point may take in a batch of 1,000, as for queries.
 const PATH_POINT: f64 = 1_250.0;

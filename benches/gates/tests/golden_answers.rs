@@ -21,7 +21,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
         [
             "b7753ddd497de525",
             "b4cde566b29d2246",
-            "e11b9a01f8adf194",
+            "4239a6673138e146",
             "aa5b17d66c34625b",
             "af1349b9f5f9a1a6",
             "4d56ea031cd7a25d",
@@ -32,7 +32,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
         [
             "5191dd4bd5cd783a",
             "ea45a951299e9bc2",
-            "ca7530d6ca6a173c",
+            "478062eb84ea2643",
             "609bc47775016277",
             "af1349b9f5f9a1a6",
             "f3a308bebbc1575c",
@@ -43,7 +43,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
         [
             "b2a8d3e8f7bb6cb6",
             "93bd04da74df0c3e",
-            "ffe617a6486e2472",
+            "3f50f3530a3610eb",
             "69ee5a1897b71992",
             "af1349b9f5f9a1a6",
             "a5f54efeafebef32",

@@ -185,6 +185,17 @@ impl<'a> Curve<'a> {
         }
     }
 
+    /// Metres of the curve per metre of u at `u` `[m]`: 1 but for a cubic whose true length is not the written one, and for a transformed curve.
+    #[must_use]
+    pub fn speed(&self, u: f64) -> f64 {
+        let u = self.clamp(u);
+        match &self.shape {
+            Shape::Line | Shape::Arc { .. } | Shape::Spiral(_) => 1.0,
+            Shape::Parametric(parametric) => parametric.jet(u).first.length(),
+            Shape::Transformed(transformed) => transformed.frame(u).speed,
+        }
+    }
+
     /// The foot of (`x`, `y`) `[m]` over u ∈ [`lo`, `hi`], found from `seed`.
     ///
     /// Line and arc give the nearest point of the range in closed form, whatever the seed; if an arc passes that point

@@ -1,7 +1,8 @@
 //! Lengths along a lane's centre line, and the speed limit there.
 
+use crate::integral::integral;
 use crate::lane::Lane;
-use crate::profile::{At, Slope};
+use crate::profile::{self, At, Slope};
 use crate::road::{GeometryPiece, Road};
 use mapd_archive::{ArchivedCubicRow, SpeedKind};
 
@@ -38,9 +39,6 @@ pub fn measures_between(lane: &Lane<'_>, a: f64, b: f64) -> Measures {
     };
     Measures { length: whole, time: lane.time_of(low, high, length) }
 }
-
-/// Places of the two-point Gauss–Legendre rule on −1 to 1, one over the square root of 3.
-const GAUSS: f64 = 0.577_350_269_189_625_8;
 
 /// A piece of the reference line, from which s on and up to which one it holds. Places that are asked for one behind the other
 /// mostly lie on the same.
@@ -82,66 +80,96 @@ struct Middle {
     turned: f64,
 }
 
-/// Metres of a lane's centre line per metre of s, for places that are asked for one behind the other.
-struct Growth<'l, 'a> {
-    lane: &'l Lane<'a>,
-    held: CachedGeometry<'a>,
-    /// That of all places, where it does not change.
-    middle: Option<Middle>,
-}
-
-impl Growth<'_, '_> {
-    /// In plan view.
-    fn at(&mut self, s: f64) -> f64 {
-        let Middle { center, cos, sin, turned } =
-            self.middle.unwrap_or_else(|| self.lane.middle(At::new(s)));
-        let piece = self.held.at(&self.lane.road, s);
-        let curvature = piece.map_or(0.0, |piece| piece.curve.curvature(s - piece.s));
-        let along = 1.0 - curvature * center.value * cos;
+impl Middle {
+    /// Metres of the centre line per metre of s in plan view, at a place of a piece of the reference line.
+    fn growth(&self, piece: &GeometryPiece<'_>, s: f64) -> f64 {
+        let Self { center, cos, sin, turned } = self;
+        let u = s - piece.s;
+        let along = piece.curve.speed(u) * (1.0 - piece.curve.curvature(u) * center.value * cos);
         let across = center.derivative * cos - center.value * sin * turned;
         (along * along + across * across).sqrt()
     }
+}
 
-    /// The same all over from one s up to another: nothing of it changes, and the reference line is one line or one arc.
-    fn even(&mut self, from: f64, to: f64) -> Option<f64> {
-        let piece = self.held.at(&self.lane.road, from).filter(|_| to <= self.held.to)?;
-        piece.curve.even_curvature_up_to(to - piece.s).filter(|_| self.middle.is_some())?;
-        Some(self.at(0.5 * (from + to)))
+/// Where the records that hold at a place give way to others.
+struct Records {
+    to: f64,
+    /// Whether none of them changes up to there.
+    is_constant: bool,
+}
+
+impl Records {
+    /// Looks at those of one profile, too: returns the one that holds, if it is not the same all along.
+    fn and<'r>(
+        &mut self,
+        records: &'r [ArchivedCubicRow],
+        from: f64,
+    ) -> Option<&'r ArchivedCubicRow> {
+        let next = records.partition_point(|record| record.s() <= from);
+        // Before the first record, profiles are 0.
+        let own = next.checked_sub(1).and_then(|own| records.get(own));
+        let changes = own.filter(|own| own.b() != 0.0 || own.c() != 0.0 || own.d() != 0.0);
+        self.is_constant &= changes.is_none();
+        if let Some(next) = records.get(next) {
+            self.to = self.to.min(next.s());
+        }
+        changes
     }
 
-    /// Length of a stretch on which the lane is smooth.
-    fn stretch(&mut self, from: f64, to: f64) -> f64 {
-        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        half * (self.at(middle - half * GAUSS) + self.at(middle + half * GAUSS))
+    /// As [`Self::and`], of widths: they are none where they are negative.
+    fn and_widths(&mut self, records: &[ArchivedCubicRow], from: f64) {
+        let changes = self.and(records, from);
+        let closed = changes.and_then(|own| profile::sign_change(own, from, self.to));
+        self.to = closed.filter(|s| *s > from).map_or(self.to, |s| self.to.min(s));
     }
 }
 
-/// Whether the value of a profile is the same all over from one s up to another.
-fn is_constant(records: &[ArchivedCubicRow], from: f64, to: f64) -> bool {
-    let next = records.partition_point(|record| record.s() <= from);
-    let own = next.checked_sub(1).and_then(|own| records.get(own));
-    // Before the first record, profiles are 0.
-    own.is_none_or(|own| own.b() == 0.0 && own.c() == 0.0 && own.d() == 0.0)
-        && records.get(next).is_none_or(|next| next.s() >= to)
-}
-
-/// Steps towards the place at a length along a lane.
-const CUTS: usize = 6;
+/// Most steps towards the place at a length along a lane: by halves alone there are fewer.
+const MOST_STEPS: u32 = 64;
+/// A place at a length along a lane is found when it is this near `[m]`.
+const FOUND: f64 = 1e-10;
 
 impl<'a> Lane<'a> {
     /// s at a length along the centre line from one place towards another `[m]`: in a bend the two are not in one proportion.
     pub(crate) fn s_after(&self, from: f64, to: f64, wanted: f64) -> f64 {
-        let mut share = 1.0;
-        for _ in 0..CUTS {
-            let length = self.length_between(from, from + (to - from) * share);
-            share *= if length > 0.0 { (wanted / length).min(1.0 / share) } else { 0.0 };
+        let whole = self.length_between(from, to);
+        if wanted >= whole || wanted.is_nan() {
+            return to;
         }
-        from + (to - from) * share
+        let way = (to - from).signum();
+        // Between these lies the place, and this is the length up to the last one that was looked at.
+        let (mut near, mut far) = (from, to);
+        let (mut s, mut gone) = (from, 0.0);
+        let mut step = (to - from).abs() * (wanted / whole);
+        for _ in 0..MOST_STEPS {
+            // By Newton's method, but by halves where it leads out of what is left.
+            let next = s + way * step;
+            let next = if (next - near) * way > 0.0 && (far - next) * way > 0.0 {
+                next
+            } else {
+                0.5 * (near + far)
+            };
+            gone += self.length_between(s, next).copysign((next - s) * way);
+            s = next;
+            let missing = wanted - gone;
+            if missing.abs() <= FOUND {
+                break;
+            }
+            *(if missing > 0.0 { &mut near } else { &mut far }) = s;
+            step = missing / self.growth_at(s);
+        }
+        s
     }
 
-    /// Length of the centre line in plan view between two places on the road `[m]`, from the file's own polynomials: where the
-    /// stored polyline bends, the integral is cut. s outside the lane's section counts as its nearer end; with one that is not
-    /// finite: NaN.
+    /// Metres of the centre line per metre of s in plan view.
+    fn growth_at(&self, s: f64) -> f64 {
+        let at = self.at(s);
+        self.road.piece_at(at).map_or(1.0, |piece| self.middle(at).growth(&piece, s))
+    }
+
+    /// Length of the centre line in plan view between two places on the road `[m]`, from the file's own polynomials and within a nanometre per record where
+    /// they are smooth. In a map of another frame than its file's it is that of the line in that frame. s outside the lane's section counts as its nearer end;
+    /// with one that is not finite: NaN.
     pub fn length_between(&self, a: f64, b: f64) -> f64 {
         if !(a.is_finite() && b.is_finite()) {
             return f64::NAN;
@@ -150,35 +178,47 @@ impl<'a> Lane<'a> {
         let (start, end) = (section.s_start(), section.s_end());
         let inside = |s: f64| mapd_geometry::clamp(s, start, end.max(start));
         let (from, to) = (inside(a.min(b)), inside(a.max(b)));
-        let line = self.center_line();
-        let (mut sum, mut last) = (0.0, from);
-        let middle = self.even_middle(from, to);
-        let mut growth = Growth { lane: self, held: CachedGeometry::NONE, middle };
-        let even = growth.even(from, to);
-        let within = line.points_before(from)..line.len();
-        let cuts = within.map_while(|i| line.station(i).filter(|s| *s < to));
-        for s in cuts.chain([to]) {
-            if s > last {
-                sum += match even {
-                    Some(growth) => 0.5 * (s - last) * (growth + growth),
-                    None => growth.stretch(last, s),
-                };
-                last = s;
-            }
+        let (mut held, mut s, mut sum) = (CachedGeometry::NONE, from, 0.0);
+        while s < to {
+            let piece = held.at(&self.road, s);
+            let records = self.records_from(s, to.min(held.to));
+            // Records of a damaged archive may begin nowhere.
+            let end = if records.to > s { records.to } else { to };
+            sum += self.smooth_length(s, end, piece, records.is_constant);
+            s = end;
         }
         sum
     }
 
-    /// Where the centre line lies from one s up to another, if that is the same all along: superelevation and widths do not change.
-    fn even_middle(&self, from: f64, to: f64) -> Option<Middle> {
-        let cubics = self.map.tables().cubics;
-        let mut is_even = from < to
-            && is_constant(self.own_lane_offsets(), from, to)
-            && is_constant(self.road.superelevations(), from, to);
-        if is_even {
-            self.walk_outwards(|lane| is_even &= is_constant(lane.widths().of(cubics), from, to));
+    /// Length of a stretch on one piece of the reference line, all along which the same records hold.
+    fn smooth_length(
+        &self,
+        from: f64,
+        to: f64,
+        piece: Option<GeometryPiece<'_>>,
+        is_constant: bool,
+    ) -> f64 {
+        // A damaged archive.
+        let Some(piece) = piece else { return to - from };
+        let hold = 0.5 * (from + to);
+        if is_constant {
+            let middle = self.middle(At::new(hold));
+            return match piece.curve.even_curvature_up_to(to - piece.s) {
+                Some(_) => (to - from) * middle.growth(&piece, hold),
+                None => integral(&mut |s| middle.growth(&piece, s), from, to),
+            };
         }
-        is_even.then(|| self.middle(At::new(0.5 * (from + to))))
+        integral(&mut |s| self.middle(At { s, hold }).growth(&piece, s), from, to)
+    }
+
+    /// What holds of the profiles that shape the centre line from a place on, up to another at most.
+    fn records_from(&self, from: f64, to: f64) -> Records {
+        let cubics = self.map.tables().cubics;
+        let mut records = Records { to, is_constant: true };
+        records.and(self.own_lane_offsets(), from);
+        records.and(self.road.superelevations(), from);
+        self.walk_outwards(|lane| records.and_widths(lane.widths().of(cubics), from));
+        records
     }
 
     /// Where the centre line lies at a place.

@@ -71,6 +71,7 @@ mod groups;
 mod held;
 mod ids;
 mod index;
+mod integral;
 mod junction;
 mod junction_group;
 mod key;

@@ -8,13 +8,13 @@ use std::path::Path;
 /// machine. They change when the format or the compiler changes;
 /// then this is where the change is owned up to.
 const GOLDEN: [(&str, &str, &str); 4] = [
-    ("one_road.xodr", "", "3f3c6bda366a20e2ec5335f59163a4118b87ba370d00a11b01bde819639ffec4"),
+    ("one_road.xodr", "", "34458416cfc6d3f66c1233ae75cafef323a8f170f53c838fbaf7f487ba264394"),
     ("town.xodr", "", "510a5177e2a4876c71a9b2f75f3485e2bef619c67104e619e24467b261906422"),
-    ("one_road.xodr", "utm", "0591a1b7d85ac2419217782ccce67b0069e6f8d06116ca8e2dad5b182c91a3f0"),
+    ("one_road.xodr", "utm", "531d610abf5f3818392eb7cc56565b50beda65bb5eede6afe88a3ae02d8d863a"),
     (
         "one_road.xodr",
         "enu:48,11,500",
-        "a0d14258e353f5cc848c26d68a3e0b5bae9f3d50979bcb9ce581de9d050cb216",
+        "e3456a8e06572df51823bafd14f2db18e941eaf4c885231746d6ebd09b8fc932",
     ),
 ];
 

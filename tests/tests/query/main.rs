@@ -40,6 +40,7 @@ mod landmarks;
 mod lane_graph;
 // Lanes of the temporary layer.
 mod lane_layers;
+mod lengths;
 // Which lanes a pose may be in.
 mod matching;
 // The nearest road mark: worked out by hand on marks of every form, and against places all along all marks.

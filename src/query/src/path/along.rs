@@ -80,7 +80,9 @@ struct Course {
 impl Course {
     fn new(lane: &Lane<'_>, at: At, shift: Option<&Shift>) -> Option<Self> {
         let road = lane.road();
-        let point = road.reference_at(at)?;
+        let piece = road.piece_at(at)?;
+        let u = at.s - piece.s;
+        let (point, speed) = (piece.curve.evaluate(u), piece.curve.speed(u));
         let edges = lane.edge_slopes(at);
         let shift = shift.map_or_else(Slope::default, |shift| shift.at(lane, at, &edges));
         let t = 0.5 * (edges.inner.value + edges.outer.value) + shift.value;
@@ -90,7 +92,7 @@ impl Course {
         let (roll_cos, roll_sin, _) = roll;
         let roll_slope = if roll_sin == 0.0 { 0.0 } else { road.superelevation_slope(at) };
         let change = drift * roll_cos - t * roll_sin * roll_slope;
-        let ahead = 1.0 - point.curvature * t * roll_cos;
+        let ahead = speed * (1.0 - point.curvature * t * roll_cos);
         // Beyond the centre of curvature the line runs backwards; traffic does not.
         let (ahead, change) = if ahead < 0.0 { (-ahead, -change) } else { (ahead, change) };
         Some(Self { point, t, edges, shift: shift.value, roll, ahead, change })

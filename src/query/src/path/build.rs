@@ -9,6 +9,7 @@ use crate::area;
 use crate::error::QueryError;
 use crate::extents::SRange;
 use crate::ids::LaneId;
+use crate::integral::integral;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::profile::At;
@@ -21,12 +22,12 @@ use mapd_geometry::normalize_angle;
 const GAP: f64 = 1e-6;
 /// A kink up to this is rounding and not listed `[rad]`.
 const KINK: f64 = 1e-6;
-/// Places of the two-point Gauss–Legendre rule on −1 to 1.
-const GAUSS: f64 = 0.577_350_269_189_625_8;
-/// Half the stretch over which metres per s are measured `[m]`: short, so that its chord is as long as its arc.
-const MEASURE: f64 = 1e-3;
-/// Metres per s that differ by less from what bends and widths say are rounding.
-const SCALED: f64 = 1e-6;
+/// S within a span may differ from what is driven by about this `[m]`; else the span is halved.
+const UNEVEN: f64 = 1e-4;
+/// A span that is no longer than this is not halved `[m]`.
+const SHORT: f64 = 0.02;
+/// By how much S is off between the middle of a span and its end, as a share of what the growth at the end says too much: that of a growth with a square term, which is the most.
+const OFF: f64 = 0.1;
 /// Bound on a span's `bend`: S grows with s all along.
 const MOST_BENT: f64 = 0.99;
 /// Shares of a span at which it is compared with a circle.
@@ -360,22 +361,29 @@ impl Builder<'_, '_, '_> {
         let forward = s[0] < s[1];
         let curve = self.buffer.shifts.get(shift as usize).copied();
         let at = |s: f64| center(lane, At { s, hold }, forward, curve.as_ref()).ok();
-        let (middle, half) = (0.5 * (s[0] + s[1]), 0.5 * (s[1] - s[0]));
-        let reach = half.abs().min(MEASURE) * (1.0 - GAUSS);
-        // s of a curve that is scaled to its stated length is not metres: how many there are to one of s shows in the places.
-        let speed = |s: f64| {
-            let (own, x, y) = (at(s)?, at(s - reach)?, at(s + reach)?);
-            let driven = x.position.truncate().distance(y.position.truncate()) / (2.0 * reach);
-            Some(if (driven - own.growth).abs() > SCALED * own.growth {
-                driven
-            } else {
-                own.growth
-            })
+        let (Some(a), Some(b)) = (at(s[0]), at(s[1])) else { return };
+        let middle = 0.5 * (s[0] + s[1]);
+        let measure = |from: f64, to: f64| match curve {
+            None => lane.length_between(from, to),
+            Some(_) => {
+                let mut growth = |s| at(s).map_or(f64::NAN, |own| own.growth);
+                integral(&mut growth, from.min(to), from.max(to))
+            }
         };
-        let inner = (speed(middle - half * GAUSS), speed(middle + half * GAUSS));
-        let ((Some(p), Some(q)), Some(a), Some(b)) = (inner, at(s[0]), at(s[1])) else { return };
-        let length = half.abs() * (p + q);
+        let halves = [measure(s[0], middle), measure(middle, s[1])];
+        let length = halves[0] + halves[1];
         if !(length > 0.0 && length.is_finite()) {
+            return;
+        }
+        // S is right in the middle.
+        let bend = (halves[1] - halves[0]) * 2.0 / length;
+        let bend = mapd_geometry::clamp(bend, -MOST_BENT, MOST_BENT);
+        let run = (s[1] - s[0]).abs();
+        let promised = [(a.growth, 1.0 - bend), (b.growth, 1.0 + bend)];
+        let off = promised.map(|(growth, share)| (growth * run - length * share).abs() * OFF);
+        if off[0].max(off[1]) > UNEVEN && run > SHORT && middle != s[0] && middle != s[1] {
+            self.span(lane, [s[0], middle], hold, piece, shift);
+            self.span(lane, [middle, s[1]], hold, piece, shift);
             return;
         }
         let origin = self.map.origin();
@@ -384,8 +392,6 @@ impl Builder<'_, '_, '_> {
         let chord = ends[0].distance(ends[1]);
         // What lies on a line of some length between two points lies in an ellipse around them.
         let slack = 0.5 * (length * length - chord * chord).max(0.0).sqrt() + ROUNDING;
-        // The line through both speeds.
-        let bend = mapd_geometry::clamp((q - p) / ((p + q) * GAUSS), -MOST_BENT, MOST_BENT);
         self.joint(along, ends[0], a.heading, piece, curve.is_some());
         let turn = normalize_angle(b.heading - a.heading);
         let heading = a.heading;

@@ -4,8 +4,9 @@
 //! are as seen by the driver. Lanes of real maps do not always meet: a gap or an overlap between two adds nothing to S and is
 //! listed ([`Path::joints`]), as is a change of lane, which is a jump to the side at its place or a curve over a length ([`LaneChange`]).
 //!
-//! Between two stations of the stored centre line (a span) S grows with s as a parabola whose ends have the line's own growth, so that S
-//! and s follow from each other in closed form; positions and headings are the file's own polynomials at that s.
+//! Between two stations of the stored centre line, or over a half of that where the line bends more (a span), S grows with s as a parabola that
+//! is exact at both ends and in the middle, so that S and s follow from each other in closed form; positions and headings are the file's own
+//! polynomials at that s.
 
 mod along;
 mod approaches;
@@ -151,7 +152,7 @@ struct Span {
     length: f64,
     /// s on the road at its start and end `[m]`, in driving direction.
     s: [f64; 2],
-    /// Share of the growth of S that falls on the second half: S = length·((1 − bend)·v + bend·v²) at the share v of s.
+    /// How much more S grows towards the end: S = length·((1 − bend)·v + bend·v²) at the share v of s.
     bend: f64,
     /// Both ends, relative to the local origin `[m]`.
     ends: [DVec2; 2],
