@@ -41,7 +41,7 @@ const WRITTEN: [Bound; 5] = [
     Bound { kind: "speed", runs: PLACES, most: [1.20, 1.20] },
     Bound { kind: "allows", runs: PLACES, most: [1.52, 1.37] },
     Bound { kind: "today-route", runs: ROUTES, most: [1.48, 1.84] },
-    Bound { kind: "reachable", runs: ROUTES, most: [1.20, 1.44] },
+    Bound { kind: "reachable", runs: ROUTES, most: [1.27, 1.57] },
 ];
 /// Places of the short and of the long run.
 const PLACES: [usize; 2] = [500, 8_500];

@@ -324,13 +324,21 @@ pub(crate) fn reach<'a>(
         let part = ReachedPart { node: &node, number, s: ends_of(&node), cost: own, lane_changes };
         scratch.set_parent(number, out.len() as u32);
         out.extend(part.cut(limit - own, pass));
-        ways.ahead(number, |next| {
-            let to = ways.node(next).filter(|to| node.leads_into(to, vehicle));
-            let Some(to) = to else { return };
-            enter(scratch, next, own + pass + price(cost.enter(&node, &to)), lane_changes);
-        });
+        let passed = own + pass;
+        if passed <= limit {
+            ways.ahead(number, |next| {
+                // What entering costs only adds to it.
+                if scratch.cost(next) <= passed {
+                    return;
+                }
+                let to = ways.node(next).filter(|to| node.leads_into(to, vehicle));
+                let Some(to) = to else { return };
+                enter(scratch, next, passed + price(cost.enter(&node, &to)), lane_changes);
+            });
+        }
         for left in [true, false] {
-            let Some(beside) = ways.change(number, &node, left) else { continue };
+            let beside = ways.change(number, &node, left);
+            let Some(beside) = beside.filter(|to| scratch.cost(*to) > own) else { continue };
             let Some(to) = ways.node(beside).filter(|to| to.allows(vehicle)) else { continue };
             enter(scratch, beside, own + price(cost.change(&node, &to)), lane_changes + 1);
         }
