@@ -203,6 +203,21 @@ fn what_leads_into_or_out_of_the_middle_of_a_lane_merges_there() {
     assert!(out_of.other_s[0] <= 60.0 && out_of.other_s[1] < 70.0, "{out_of:?}");
 }
 
+/// A lane that leaves the main road of a virtual junction was told as one that crosses who goes straight on.
+#[test]
+fn who_leaves_a_main_road_meets_nobody_there() {
+    let all = mapd_tests::graph_maps::all();
+    let own = all.iter().find(|map| map.name == "virtual junction with a side road");
+    let snapshot = open_text(&own.expect("the map").text);
+    let map = snapshot.map();
+    let found = meets(map, &["1:0:-1"], [0.0, 120.0]);
+    let told: Vec<_> = found.iter().map(|own| (own.other, own.kind)).collect();
+    assert_eq!(told, [(lane_by(map, "6:0:-1").lane_id(), ConflictKind::Merge)], "{found:?}");
+    // It enters at s = 75 m.
+    assert!(found[0].along[0] > 60.0 && (found[0].along[1] - 75.0).abs() < 1.0, "{found:?}");
+    assert_eq!(meets(map, &["5:0:-1", "2:0:-1"], [0.0, 40.0]), []);
+}
+
 #[test]
 fn lanes_that_lead_to_a_conflict_are_told_with_their_distance() {
     each_path(|map, path, _, name, _| {

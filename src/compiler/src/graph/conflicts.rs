@@ -4,7 +4,8 @@
 //! lanes conflict; the interval on each reaches from the first to the last such cell. So intervals are too long by
 //! at most a cell at either end, and never too short by more than what the chords cut off. Ways that only part from each
 //! other are no conflict: who follows one has left the other. At direct junctions they are: there, lanes that part lie on
-//! each other for a while.
+//! each other for a while. At virtual junctions a lane parts from the middle
+//! of another, or merges into it.
 
 use super::cells::{Bounds, Cell};
 use super::zones::{Stretch, Zone, ZoneKind};
@@ -13,6 +14,7 @@ use crate::sample::view;
 use mapd_archive::{ConflictKind, ConflictRow, NO_RELATION, RelationReason, Rows, section_step};
 use mapd_query::compiling::ByRow as _;
 use mapd_query::compiling::SectionCutter;
+use mapd_query::graph::LaneNode;
 use mapd_query::roads::CrossSection;
 use mapd_query::{Lane, LaneId, LaneSection, Map};
 use mapd_rules::catalog::building;
@@ -121,7 +123,7 @@ fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone, room: &mut Room) -> Option<Ve
     let mut out = Vec::new();
     for (i, a) in candidates.iter().enumerate() {
         for b in candidates.get(i + 1..).unwrap_or(&[]).iter().filter(|b| b.road != a.road) {
-            if let Some((kind, own, other)) = room.meet(a, b, zone.kind) {
+            if let Some((kind, own, other)) = room.meet(map, a, b, zone.kind) {
                 let row = |a: &Candidate, b: &Candidate, own: Interval, other: Interval| {
                     let [from, to] = in_steps(own, a.step);
                     let [other_from, other_to] = in_steps(other, b.step);
@@ -245,6 +247,7 @@ impl Room {
     /// How two lanes meet, and the common interval on each.
     fn meet(
         &self,
+        map: Map<'_>,
         a: &Candidate,
         b: &Candidate,
         zone: ZoneKind,
@@ -257,7 +260,15 @@ impl Room {
             let (a, b) = (links(a), links(b));
             a.iter().any(|lane| b.contains(lane))
         };
-        let (merge, part) = (have_one(&a.exits, &b.exits), have_one(&a.entries, &b.entries));
+        let (mut merge, mut part) =
+            (have_one(&a.exits, &b.exits), have_one(&a.entries, &b.entries));
+        for (from, to) in [(a, b), (b, a)] {
+            if links(&from.exits).iter().any(|lane| lane.row() == to.row) {
+                let [leaves, enters] = inside(map, from.row, to.row);
+                part |= leaves && !enters;
+                merge |= enters && !leaves;
+            }
+        }
         if part && !merge && zone != ZoneKind::Direct {
             return None;
         }
@@ -286,6 +297,30 @@ impl Room {
             bounds: lane.bounds,
         }
     }
+}
+
+fn is_same_lane(one: &LaneNode<'_>, other: &LaneNode<'_>) -> bool {
+    let row = |node: &LaneNode<'_>| node.lane().map(|lane| lane.lane_id());
+    one.is_forward() == other.is_forward() && row(one) == row(other)
+}
+
+/// Whether a lane leads into another before its own end, and behind the other's beginning.
+fn inside(map: Map<'_>, from: u32, to: u32) -> [bool; 2] {
+    let Some(lane) = map.lane_by_row(from) else { return [false; 2] };
+    let goes_on = |node: &LaneNode<'_>| {
+        node.edges().any(|edge| edge.target().is_some_and(|next| is_same_lane(&next, node)))
+    };
+    let mut found = [false; 2];
+    for node in lane.nodes() {
+        let targets = node.edges().filter_map(|edge| edge.target());
+        for target in
+            targets.filter(|target| target.lane().is_some_and(|own| own.lane_id().row() == to))
+        {
+            found[0] |= goes_on(&node);
+            found[1] |= target.predecessors().any(|before| is_same_lane(&before, &target));
+        }
+    }
+    found
 }
 
 /// Whether two cells whose bounds meet share more than a strip, and not as a bridge does with what is below.
