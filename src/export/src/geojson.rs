@@ -6,7 +6,7 @@ use crate::{ExportError, Progress, Result};
 use geojson::{Feature, FeatureWriter, Geometry, GeometryValue, JsonObject, JsonValue, Position};
 use mapd_client::geodesy::Projector;
 use mapd_client::view::View;
-use std::io::Write;
+use std::io::{self, Write};
 
 /// Writes the layers, one after the other; each feature says its own.
 ///
@@ -43,6 +43,8 @@ pub(super) fn write(
 fn encoding(error: geojson::Error) -> ExportError {
     match error {
         geojson::Error::Io(error) => error.into(),
+        // The name is for reading; in writing it holds what the file says.
+        geojson::Error::MalformedGeoJson(error) if error.is_io() => io::Error::from(error).into(),
         other => ExportError::Encoding(other.to_string()),
     }
 }
