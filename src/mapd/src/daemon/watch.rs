@@ -23,7 +23,8 @@ const LOOK: Duration = Duration::from_millis(100);
 /// finished then.
 const QUIET: Duration = Duration::from_millis(400);
 
-/// A map's file that has been gone for so long is not being replaced: reading it fails, which is told.
+/// A file that has been gone for so long is not being replaced: reading a map's own fails, which is told; without an included one there may be less of the
+/// map, so that is told, and the map is not read.
 const GONE: Duration = Duration::from_secs(3);
 
 /// A state of several files; `None`: one that is not there.
@@ -71,10 +72,18 @@ impl Watcher {
     pub(crate) fn start(list: WatchList, orders: Orders) -> io::Result<Self> {
         let (stop, stopped) = channel::<()>();
         let work = move || {
-            let mut changed: BTreeMap<String, (Identities, Instant)> = BTreeMap::new();
+            let mut changed = BTreeMap::new();
             while stopped.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
                 let now = Instant::now();
-                for (map, stage) in settled(&list, &mut changed, now) {
+                for (map, settled) in settled(&list, &mut changed, now) {
+                    let stage = match settled {
+                        Settled::Changed { stage } => stage,
+                        Settled::Gone { included } => {
+                            let file = included.display();
+                            tracing::warn!(map, file = %file, "map {map}: {file}, which it includes, is gone: the map is read again when it is back");
+                            continue;
+                        }
+                    };
                     let trigger = Trigger::Watch;
                     let change = Change { map, trigger, stage, begun: now, reply: None };
                     if !orders.give(Order::Change(change)) {
@@ -97,12 +106,29 @@ impl Drop for Watcher {
     }
 }
 
+/// What has become of a map's files.
+#[derive(Debug, PartialEq)]
+enum Settled {
+    /// They can be read; `stage` is that of [`Watched`].
+    Changed { stage: bool },
+    /// A file that the map includes stays away.
+    Gone { included: PathBuf },
+}
+
+/// A state of a map's files that is not the one that was read.
+struct Changed {
+    seen: Identities,
+    since: Instant,
+    /// Whether it has been told.
+    told: bool,
+}
+
 /// Maps whose files have changed and have been as they are for a while. Each change is told once.
 fn settled(
     list: &WatchList,
-    changed: &mut BTreeMap<String, (Identities, Instant)>,
+    changed: &mut BTreeMap<String, Changed>,
     now: Instant,
-) -> Vec<(String, bool)> {
+) -> Vec<(String, Settled)> {
     let mut settled = Vec::new();
     for (map, watched) in list.lock().unwrap_or_else(PoisonError::into_inner).iter_mut() {
         let seen = identities(&watched.files);
@@ -110,31 +136,27 @@ fn settled(
             changed.remove(map);
             continue;
         }
-        // A file that is being replaced may be gone for a moment. Of one that stays away, only the map's own is told by reading it: without an
-        // included one there may be less of the map.
+        // A file that is being replaced may be gone for a moment.
         let is_gone = |(read, seen): (&Option<_>, &Option<_>)| read.is_some() && seen.is_none();
-        let mut gone = watched.read.iter().zip(&seen).map(is_gone);
-        let (own_is_gone, others_are) = (gone.next() == Some(true), gone.any(|is_gone| is_gone));
-        let quiet = match own_is_gone {
-            true => GONE,
-            false if others_are => {
-                changed.remove(map);
-                continue;
-            }
-            false => QUIET,
+        let gone = watched.read.iter().zip(&seen).position(is_gone);
+        let included = gone.filter(|file| *file > 0).and_then(|file| watched.files.get(file));
+        let Some(own) = changed.get_mut(map).filter(|own| own.seen == seen) else {
+            changed.insert(map.clone(), Changed { seen, since: now, told: false });
+            continue;
         };
-        match changed.get(map) {
-            Some((same, since)) if *same == seen => {
-                if now.duration_since(*since) >= quiet {
-                    changed.remove(map);
-                    watched.read = seen;
-                    settled.push((map.clone(), watched.stage));
-                }
-            }
-            _ => {
-                changed.insert(map.clone(), (seen, now));
-            }
+        let quiet = if gone.is_some() { GONE } else { QUIET };
+        if own.told || now.duration_since(own.since) < quiet {
+            continue;
         }
+        own.told = true;
+        let what = match included {
+            Some(included) => Settled::Gone { included: included.clone() },
+            None => {
+                watched.read = seen;
+                Settled::Changed { stage: watched.stage }
+            }
+        };
+        settled.push((map.clone(), what));
     }
     settled
 }
@@ -169,5 +191,28 @@ mod tests {
         fs::write(folder.path().join("new"), "four").expect("written");
         fs::rename(folder.path().join("new"), &file).expect("renamed");
         assert_eq!(look(30_000) + look(30_500), 1);
+    }
+
+    /// Nothing said that a map is not read again while a file that it includes is gone.
+    #[test]
+    fn an_included_file_that_stays_away_is_told_once_and_not_read() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let files = ["m.xodr", "part.xml"].map(|name| folder.path().join(name));
+        let write =
+            |text: &str| files.each_ref().map(|file| fs::write(file, text).expect("written"));
+        write("one");
+        let watched = Watched { read: identities(&files), files: files.to_vec(), stage: false };
+        let list = Arc::new(Mutex::new(BTreeMap::from([("m".to_owned(), watched)])));
+        let (mut changed, start) = (BTreeMap::new(), Instant::now());
+        let mut look = |ms: u64| settled(&list, &mut changed, start + Duration::from_millis(ms));
+        fs::remove_file(&files[1]).expect("removed");
+        assert_eq!([look(0), look(2_900)], [[], []], "it may come back");
+        let gone = Settled::Gone { included: files[1].clone() };
+        assert_eq!(look(3_000), [("m".to_owned(), gone)]);
+        assert_eq!([look(3_100), look(60_000)], [[], []]);
+        write("other");
+        assert_eq!(look(61_000), []);
+        assert_eq!(look(61_400), [("m".to_owned(), Settled::Changed { stage: false })]);
+        assert_eq!(look(70_000), []);
     }
 }
