@@ -58,6 +58,15 @@ pub(super) static RULES: &[Rule] = &[
         ],
     ),
     Rule::warning(
+        "mapd:xodr:1.4.0:junction.entered_road",
+        "A road within a junction that vehicles drive on is the connecting road of a connection.",
+        All(is_entered),
+        [
+            SOUND,
+            In(r#"<junction id="9" name=""><connection id="0" incomingRoad="1" connectingRoad="3" contactPoint="start"><laneLink from="-1" to="-1"/></connection></junction>"#),
+        ],
+    ),
+    Rule::warning(
         "mapd:xodr:1.4.0:ref.orphan_lane_link",
         "A connection links lanes that its roads have where they meet.",
         All(lane_links),
@@ -207,6 +216,30 @@ fn belongs(network: &Network, sink: &mut Sink<'_>) {
             let found = format_args!("road {} of {junction}", network.name(road.id));
             let id = network.junction_id(joined.junction);
             joined.add(sink, format_args!("a road of junction {id}"), found);
+        }
+    }
+}
+
+/// Roads that no connection leads into: nobody gets onto them from outside the junction.
+fn is_entered(network: &Network, sink: &mut Sink<'_>) {
+    for junction in &network.junctions {
+        let Some(id) =
+            junction.id.filter(|_| matches!(junction.kind, Kind::Default | Kind::Virtual))
+        else {
+            continue;
+        };
+        let connections = network.connections_of(junction);
+        let connecting: BTreeSet<Name> = connections.iter().map(|own| own.connecting).collect();
+        for road in network.roads_within(id).filter(|road| !connecting.contains(&road.id)) {
+            let mut lanes = network.sections_of(road).iter().flat_map(|own| network.lanes_of(own));
+            if lanes.any(|lane| is_drivable(lane.kind)) {
+                sink.add_in(
+                    PartOf::road(network.name(road.id), ""),
+                    road.span,
+                    format_args!("a connection of junction {} with it", network.name(id)),
+                    "none",
+                );
+            }
         }
     }
 }
