@@ -42,8 +42,12 @@ fn compiled(path: &Path) -> Option<Snapshot> {
 
 /// Compiles a map that is written out, which must be accepted, and proves its archive.
 pub fn open_text(text: &str) -> Snapshot {
-    let compiled =
-        compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {}).expect("reading works");
+    open_text_with(text, &CompileOptions::default())
+}
+
+/// As [`open_text`], with these options.
+pub fn open_text_with(text: &str, options: &CompileOptions) -> Snapshot {
+    let compiled = compile(text.as_bytes(), options, &mut |_| {}).expect("reading works");
     let rows = compiled.rows.unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
     let bytes = encode(&rows, &compiled.provenance).expect("encodes");
     verify(&bytes).expect("the rows are sound");

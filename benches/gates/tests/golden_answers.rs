@@ -21,7 +21,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
         [
             "b7753ddd497de525",
             "b4cde566b29d2246",
-            "4239a6673138e146",
+            "1629461286d058b0",
             "aa5b17d66c34625b",
             "af1349b9f5f9a1a6",
             "4d56ea031cd7a25d",

@@ -132,6 +132,9 @@ const FOUND: f64 = 1e-10;
 impl<'a> Lane<'a> {
     /// s at a length along the centre line from one place towards another `[m]`: in a bend the two are not in one proportion.
     pub(crate) fn s_after(&self, from: f64, to: f64, wanted: f64) -> f64 {
+        if wanted <= 0.0 {
+            return from;
+        }
         let whole = self.length_between(from, to);
         if wanted >= whole || wanted.is_nan() {
             return to;
@@ -168,14 +171,15 @@ impl<'a> Lane<'a> {
     }
 
     /// Length of the centre line in plan view between two places on the road `[m]`, from the file's own polynomials and within a nanometre per record where
-    /// they are smooth. In a map of another frame than its file's it is that of the line in that frame. s outside the lane's section counts as its nearer end;
-    /// with one that is not finite: NaN.
+    /// they are smooth. In a map of another frame than its file's it is that of the line in that frame. s outside the lane's section and the reference line counts as their
+    /// nearer end; with one that is not finite: NaN.
     pub fn length_between(&self, a: f64, b: f64) -> f64 {
         if !(a.is_finite() && b.is_finite()) {
             return f64::NAN;
         }
-        let section = self.section();
-        let (start, end) = (section.s_start(), section.s_end());
+        let (start, section_end) = (self.section().s_start(), self.section().s_end());
+        // Beyond the reference line there is no more of it, whatever length is written.
+        let end = section_end.min(self.road.reference_end());
         let inside = |s: f64| mapd_geometry::clamp(s, start, end.max(start));
         let (from, to) = (inside(a.min(b)), inside(a.max(b)));
         let (mut held, mut s, mut sum) = (CachedGeometry::NONE, from, 0.0);

@@ -92,8 +92,11 @@ impl Record {
 
 /// Halvings until a sign's change is known to the last digit.
 const HALVINGS: u32 = 64;
+/// What begins positive, or not, has to stay so for this `[m]`: at 0 rounding decides.
+const SLIVER: f64 = 1e-9;
 
-/// The first s between two at which a record becomes positive, or no longer is `[m]`.
+/// Where a record becomes positive between two s, or no longer is: the last s before or the first behind it, whichever is not positive `[m]`. The first such
+/// place.
 pub(crate) fn sign_change(row: &ArchivedCubicRow, from: f64, to: f64) -> Option<f64> {
     let Cubic { b, c, d, .. } = cubic(row);
     let is_positive = |s: f64| cubic(row).value(s - row.s()) > 0.0;
@@ -101,18 +104,18 @@ pub(crate) fn sign_change(row: &ArchivedCubicRow, from: f64, to: f64) -> Option<
     let root = (c * c - 3.0 * b * d).sqrt();
     let sum = -(c + root.copysign(c));
     let turns = [sum / (3.0 * d), b / sum].map(|ds| row.s() + ds);
-    let mut begin = from;
+    let mut begin = from + SLIVER;
     for place in [turns[0].min(turns[1]), turns[0].max(turns[1]), to] {
         // There may be no turn, or none between.
         let end = if place > begin && place <= to { place } else { continue };
-        if is_positive(begin) != is_positive(end) {
+        let closes = is_positive(begin);
+        if closes != is_positive(end) {
             let (mut near, mut far) = (begin, end);
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (near + far);
-                *(if is_positive(middle) == is_positive(begin) { &mut near } else { &mut far }) =
-                    middle;
+                *(if is_positive(middle) == closes { &mut near } else { &mut far }) = middle;
             }
-            return Some(far);
+            return Some(if closes { far } else { near });
         }
         begin = end;
     }

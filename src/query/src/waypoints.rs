@@ -38,11 +38,13 @@ impl<'a> Lane<'a> {
         let drift = 0.5 * (edges.inner.derivative + edges.outer.derivative);
         let Pose { position, heading, curvature, .. } = self.road().pose(at, t, 0.0)?;
         // The lateral place in plan view is t(s)·cos σ(s); its change by s turns the line against the reference line, which
-        // itself passes 1 − κ·t·cos σ of its length there.
+        // itself passes 1 − κ·t·cos σ of its length there, at its own speed.
         let (roll_cos, roll_sin) = self.road().roll(at);
         let roll_slope = self.road().superelevation_slope(at);
         let change = drift * roll_cos - t * roll_sin * roll_slope;
-        let along = 1.0 - curvature * t * roll_cos;
+        let piece = self.road().piece_at(at).ok_or(QueryError::Corrupt)?;
+        let speed = piece.curve.speed(at.s - piece.s);
+        let along = speed * (1.0 - curvature * t * roll_cos);
         // Beyond the centre of curvature the line runs backwards; traffic does not.
         let turn = mapd_geometry::atan2(if along < 0.0 { -change } else { change }, along.abs());
         let back = if self.is_forward() { 0.0 } else { std::f64::consts::PI };

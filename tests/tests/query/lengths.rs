@@ -1,10 +1,14 @@
 //! Lengths of lanes, and S of paths: exact ones, and those of chords between places that lie close together.
 
 use mapd_client::glam::DVec2;
+use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{Lane, Map};
+use mapd_compiler::CompileOptions;
 use mapd_query::path::{PathBuffer, PathOptions, steps_of_lanes};
-use mapd_tests::graph_maps::{document, section, wide};
-use mapd_tests::maps::{carried_and, open, open_text};
+use mapd_query::route::{PositionOnLane, Reached, RouteScratch, ShortestLength};
+use mapd_tests::carried;
+use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
+use mapd_tests::maps::{carried_and, open, open_text, open_text_with};
 
 /// Maps besides the carried ones: tight cubics, cubics of another length than written, widths below 0, superelevation.
 const MAPS: [&str; 7] = [
@@ -26,6 +30,8 @@ const TOLERANCE: f64 = 1e-6;
 const EXACT: f64 = 2e-9;
 /// Allowed difference between S and what is driven, within a span `[m]`.
 const ALONG: f64 = 2e-4;
+/// What stations in single precision may be off `[m]`.
+const STATION: f64 = 1e-4;
 /// Places of a lane at which S is compared.
 const PLACES: u32 = 40;
 
@@ -52,7 +58,6 @@ fn by_chords(lane: &Lane<'_>, from: f64, to: f64) -> [f64; 2] {
 /// Ends of the stretches on which a lane is smooth.
 fn cuts(lane: &Lane<'_>) -> Vec<f64> {
     let (start, end) = (lane.section().s_start(), lane.section().s_end());
-    let end = end.min(lane.road().reference_end());
     let inner = lane.shape_breaks().filter(|s| *s > start && *s < end);
     let mut all: Vec<f64> = inner.chain([start, end]).collect();
     all.sort_by(f64::total_cmp);
@@ -77,10 +82,34 @@ fn check(map: Map<'_>, lane: &Lane<'_>, expected: f64, tolerance: f64, context: 
     };
     for place in 0..=PLACES {
         let s = start + (end - start) * (f64::from(place) / f64::from(PLACES));
-        let Some(along) = path.along_of(lane.lane_id(), s) else { continue };
+        let Some(along) = path.along_of(lane.lane_id(), s) else {
+            // Behind the end of its line nothing of a lane is driven, nor where records hold for less than a station tells apart.
+            let is_behind = s > lane.road().reference_end() || end - s < STATION;
+            assert!(is_behind, "{context} {key}: no S at {s}");
+            continue;
+        };
         let driven = lane.length_between(ends[0], s);
         assert!((along - driven).abs() <= ALONG, "{context} {key} at {s}: {along}, not {driven}");
     }
+}
+
+/// What is reached of a lane is as long as what is left for it. Lengths of nodes have single precision.
+fn check_reach(map: Map<'_>, lane: &Lane<'_>, limit: f64, context: &str) {
+    let (start, end) = (lane.section().s_start(), lane.section().s_end());
+    let s = if lane.is_forward() { start } else { end };
+    let from = PositionOnLane { lane: lane.lane_id(), s };
+    let (mut scratch, mut out) = (RouteScratch::default(), Vec::new());
+    let (car, cost) = (VehicleClass::PassengerCar, ShortestLength::default());
+    map.reachable(from, limit, car, &cost, &mut scratch, &mut out).expect("an answer");
+    let on_it = |own: &&Reached| own.lane == from.lane && own.forward == lane.is_forward();
+    let own = out.iter().filter(on_it);
+    let driven: f64 = own.clone().map(|own| lane.length_between(own.s_from, own.s_to)).sum();
+    let key = lane.key();
+    assert!(
+        (driven - limit).abs() < 1e-7 * (1.0 + 2.0 * limit),
+        "{context} {key}: {driven}, not {limit}"
+    );
+    assert!(limit > 0.0 || own.clone().all(|own| own.s_from == own.s_to), "{context} {key}");
 }
 
 #[test]
@@ -94,7 +123,12 @@ fn lengths_are_those_of_many_chords() {
             let [sum, doubt] =
                 parts.fold([0.0; 2], |sum, part| [sum[0] + part[0], sum[1] + part[1]]);
             let tolerance = TOLERANCE + doubt + CORNER * sum;
-            check(map, &lane, sum, tolerance, &path.display().to_string());
+            let context = path.display().to_string();
+            check(map, &lane, sum, tolerance, &context);
+            if lane.nodes().next().is_some() {
+                check_reach(map, &lane, 0.0, &context);
+                check_reach(map, &lane, 0.37 * lane.length_between(0.0, f64::MAX), &context);
+            }
         }
     }
 }
@@ -207,6 +241,37 @@ fn lengths_are_exact() {
         let snapshot = open_text(&text);
         let map = snapshot.map();
         let lane = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
-        check(map, &lane, expected, EXACT, &format!("{shape} {length} {width} {offset}"));
+        let context = format!("{shape} {length} {width} {offset}");
+        check(map, &lane, expected, EXACT, &context);
+        check_reach(map, &lane, 0.37 * expected, &context);
+    }
+}
+
+/// A road that is written as longer than its reference line: behind that there is nothing to drive.
+#[test]
+fn lanes_end_with_the_reference_line() {
+    let lanes = section(0.0, "", &lane(-1, ""));
+    let line = road("1", "junction=\"-1\"", Line(0.0, 0.0, 0.0, 90.0, 0.0), "", &lanes);
+    let longer = line.replacen("length=\"90\"", "length=\"100\"", 1);
+    let snapshot = open_text(&document(&longer));
+    let map = snapshot.map();
+    let lane = map.lane_by_key(&"1:0:-1".parse().expect("a key")).expect("a lane");
+    assert_eq!(lane.section().s_end(), 100.0);
+    check(map, &lane, 90.0, 0.0, "a short line");
+    assert_eq!(lane.nodes().map(|node| node.length()).sum::<f64>(), 90.0);
+}
+
+/// In another frame lengths are those of the lines in that frame.
+#[test]
+fn lengths_are_those_of_a_maps_own_frame() {
+    let crs = Some("utm".parse().expect("a target"));
+    let text = std::fs::read_to_string(carried("one_road.xodr")).expect("the map");
+    let snapshot = open_text_with(&text, &CompileOptions { crs, ..CompileOptions::default() });
+    let map = snapshot.map();
+    for lane in map.lanes().filter(|lane| lane.number() != 0) {
+        let parts = cuts(&lane);
+        let parts = parts.windows(2).map(|pair| by_chords(&lane, pair[0], pair[1]));
+        let [sum, doubt] = parts.fold([0.0; 2], |sum, part| [sum[0] + part[0], sum[1] + part[1]]);
+        check(map, &lane, sum, TOLERANCE + doubt, "one road in UTM");
     }
 }

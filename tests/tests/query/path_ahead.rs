@@ -244,9 +244,9 @@ fn a_part_of_a_path_is_a_path() {
             path.steps_between(steps, [from, to], &mut part).expect("steps");
             let own = map.path(&part, &PathOptions::default(), &mut buffer);
             let own = own.unwrap_or_else(|error| panic!("{name}: {error}: {part:?}"));
-            // Lengths are those of a quadrature, which a cut makes anew.
+            // S between stations of the stored line, where the path is cut.
             let off = (own.length() - (to - from)).abs();
-            assert!(off < 1e-3 * (1.0 + to - from), "{name}: {off} of {from} to {to}");
+            assert!(off < 4e-4, "{name}: {off} of {from} to {to}");
             let places = [(0.0, from), (own.length(), to)];
             for (mine, along) in places {
                 let (p, q) = (own.at(mine).expect("a place"), path.at(along).expect("a place"));

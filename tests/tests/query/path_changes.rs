@@ -1,13 +1,16 @@
 //! Changes of lane as a curve over a length.
 
 use crate::paths::{each_path_with, is_near_joint};
-use mapd_query::path::{LaneChange, PathBuffer, PathError, PathOptions, steps_of_lanes};
+use mapd_query::path::{LaneChange, PathBuffer, PathError, PathJoint, PathOptions, steps_of_lanes};
 use mapd_query::route::{Enter, RouteStep};
 use mapd_tests::graph_maps::{Line, document, lane, road, section, wide};
 use mapd_tests::maps::open_text;
 
 /// Length of a change `[m]`.
 const LENGTH: f64 = 6.0;
+/// Chords along a change, and by how much S may be off within it `[m]`.
+const CHORDS: u32 = 400;
+const ALONG: f64 = 3e-4;
 /// What places may be off `[m]`.
 const TOLERANCE: f64 = 1e-6;
 
@@ -30,6 +33,19 @@ fn a_curve_has_no_jump_and_is_projected_back() {
             let mut all = counts.get();
             all[usize::from(joint.short)] += 1;
             counts.set(all);
+            // S is what is driven.
+            let end = joint.along + 0.9 * LENGTH;
+            let is_in = |other: &&PathJoint| other.along > joint.along && other.along <= end;
+            if end < path.length() && path.joints().iter().find(is_in).is_none() {
+                let place = |i: u32| {
+                    let along =
+                        joint.along + (end - joint.along) * f64::from(i) / f64::from(CHORDS);
+                    path.at(along).expect("a place").position.truncate()
+                };
+                let driven: f64 = (0..CHORDS).map(|i| place(i).distance(place(i + 1))).sum();
+                let off = (driven - (end - joint.along)).abs();
+                assert!(off < ALONG, "{name}: {driven} m from {} to {end}", joint.along);
+            }
             for _ in 0..8 {
                 let along = joint.along + random.between(0.0, LENGTH);
                 if along > path.length() || is_near_joint(path, along) {

@@ -208,14 +208,24 @@ fn what_leads_into_or_out_of_the_middle_of_a_lane_merges_there() {
 fn who_leaves_a_main_road_meets_nobody_there() {
     let all = mapd_tests::graph_maps::all();
     let own = all.iter().find(|map| map.name == "virtual junction with a side road");
-    let snapshot = open_text(&own.expect("the map").text);
+    let own = own.expect("the map");
+    let snapshot = open_text(&own.text);
     let map = snapshot.map();
     let found = meets(map, &["1:0:-1"], [0.0, 120.0]);
     let told: Vec<_> = found.iter().map(|own| (own.other, own.kind)).collect();
     assert_eq!(told, [(lane_by(map, "6:0:-1").lane_id(), ConflictKind::Merge)], "{found:?}");
     // It enters at s = 75 m.
-    assert!(found[0].along[0] > 60.0 && (found[0].along[1] - 75.0).abs() < 1.0, "{found:?}");
+    assert!(found[0].along[0] > 60.0 && found[0].along[0] < 74.0, "{found:?}");
+    assert!((found[0].along[1] - 75.0).abs() < 1.0, "{found:?}");
+    let kinds = lane_by(map, "1:0:-1").conflicts().map(|own| own.kind()).collect::<Vec<_>>();
+    assert_eq!(kinds, [ConflictKind::Merge]);
     assert_eq!(meets(map, &["5:0:-1", "2:0:-1"], [0.0, 40.0]), []);
+    // Who comes against them on a lane for both directions meets those who leave.
+    let both = own.text.replacen("type=\"driving\"", "type=\"bidirectional\"", 2);
+    let snapshot = open_text(&both);
+    let lane = lane_by(snapshot.map(), "1:0:-1");
+    let others = lane.conflicts().filter_map(|own| Some(own.other()?.key().to_string()));
+    assert_eq!(others.collect::<Vec<_>>(), ["5:0:-1", "6:0:-1"]);
 }
 
 #[test]

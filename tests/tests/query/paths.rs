@@ -150,8 +150,8 @@ fn s_grows_by_what_is_driven_and_joints_are_listed() {
             let between = path.joints().iter().filter(|j| j.along >= a && j.along <= b);
             let gaps: f64 = between.map(|joint| joint.gap).sum();
             let chord = p.position.truncate().distance(q.position.truncate());
-            // Lengths are those of a quadrature between stations of the stored line.
-            let rounding = 1e-3;
+            // S between stations of the stored line.
+            let rounding = 4e-4;
             assert!(
                 chord <= (b - a) + gaps + rounding,
                 "{name}: {chord} m from {a} to {b}, {gaps}"

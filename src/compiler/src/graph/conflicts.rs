@@ -3,9 +3,8 @@
 //! Each lane is cut into short cells, quadrangles between its edges. Where cells of two lanes share more than a strip, the
 //! lanes conflict; the interval on each reaches from the first to the last such cell. So intervals are too long by
 //! at most a cell at either end, and never too short by more than what the chords cut off. Ways that only part from each
-//! other are no conflict: who follows one has left the other. At direct junctions they are: there, lanes that part lie on
-//! each other for a while. At virtual junctions a lane parts from the middle
-//! of another, or merges into it.
+//! other are no conflict: who follows one has left the other, be it from its middle, as at virtual junctions. At direct
+//! junctions they are: there, lanes that part lie on each other for a while. Who enters the middle of a lane merges into it.
 
 use super::cells::{Bounds, Cell};
 use super::zones::{Stretch, Zone, ZoneKind};
@@ -266,7 +265,7 @@ impl Room {
             if links(&from.exits).iter().any(|lane| lane.row() == to.row) {
                 let [leaves, enters] = inside(map, from.row, to.row);
                 part |= leaves && !enters;
-                merge |= enters && !leaves;
+                merge |= enters;
             }
         }
         if part && !merge && zone != ZoneKind::Direct {
@@ -299,28 +298,33 @@ impl Room {
     }
 }
 
-fn is_same_lane(one: &LaneNode<'_>, other: &LaneNode<'_>) -> bool {
-    let row = |node: &LaneNode<'_>| node.lane().map(|lane| lane.lane_id());
-    one.is_forward() == other.is_forward() && row(one) == row(other)
-}
-
-/// Whether a lane leads into another before its own end, and behind the other's beginning.
+/// Whether a lane leads into another from its own middle, so that all who follow it that way have left it; and whether it leads into the other's middle.
 fn inside(map: Map<'_>, from: u32, to: u32) -> [bool; 2] {
     let Some(lane) = map.lane_by_row(from) else { return [false; 2] };
     let goes_on = |node: &LaneNode<'_>| {
-        node.edges().any(|edge| edge.target().is_some_and(|next| is_same_lane(&next, node)))
+        node.edges().any(|edge| edge.target().is_some_and(|next| are_along(&next, node)))
     };
     let mut found = [false; 2];
     for node in lane.nodes() {
         let targets = node.edges().filter_map(|edge| edge.target());
-        for target in
-            targets.filter(|target| target.lane().is_some_and(|own| own.lane_id().row() == to))
-        {
+        for target in targets.filter(|target| is_of(target, to)) {
             found[0] |= goes_on(&node);
-            found[1] |= target.predecessors().any(|before| is_same_lane(&before, &target));
+            found[1] |= target.predecessors().any(|before| are_along(&before, &target));
         }
     }
+    // Who comes the other way meets those who leave.
+    found[0] &= !lane.is_bidirectional();
     found
+}
+
+fn is_of(node: &LaneNode<'_>, lane: u32) -> bool {
+    node.lane().is_some_and(|own| own.lane_id().row() == lane)
+}
+
+/// Whether both are pieces of one lane in one direction.
+fn are_along(one: &LaneNode<'_>, other: &LaneNode<'_>) -> bool {
+    let row = other.lane().map(|lane| lane.lane_id().row());
+    one.is_forward() == other.is_forward() && row.is_some_and(|row| is_of(one, row))
 }
 
 /// Whether two cells whose bounds meet share more than a strip, and not as a bridge does with what is below.

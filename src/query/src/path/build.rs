@@ -24,9 +24,9 @@ const GAP: f64 = 1e-6;
 const KINK: f64 = 1e-6;
 /// S within a span may differ from what is driven by about this `[m]`; else the span is halved.
 const UNEVEN: f64 = 1e-4;
-/// A span that is no longer than this is not halved `[m]`.
-const SHORT: f64 = 0.02;
-/// By how much S is off between the middle of a span and its end, as a share of what the growth at the end says too much: that of a growth with a square term, which is the most.
+/// Times that the span between two stations may be halved: those of tight bends are a metre long.
+const MOST_HALVINGS: u32 = 6;
+/// Share of what the growth at a span's end says too much, by which S is off in between: if the growth has a square term, which is the most.
 const OFF: f64 = 0.1;
 /// Bound on a span's `bend`: S grows with s all along.
 const MOST_BENT: f64 = 0.99;
@@ -320,7 +320,7 @@ impl Builder<'_, '_, '_> {
                         shift.is_some_and(|own| (cut - own.s[1]) * sign(step.forward) <= 0.0);
                     let number = self.buffer.shifts.len().wrapping_sub(1);
                     let number = if on_it { number as u32 } else { NONE };
-                    self.span(lane, [begin, cut], hold, piece, number);
+                    self.span(lane, [begin, cut], hold, [piece, number], MOST_HALVINGS);
                     begin = cut;
                 }
             }
@@ -357,7 +357,9 @@ impl Builder<'_, '_, '_> {
         Some(shift)
     }
 
-    fn span(&mut self, lane: &Lane<'_>, s: [f64; 2], hold: f64, piece: u32, shift: u32) {
+    /// Adds what is driven between two s, in halves where S bends too much. `number`: of its piece and its curve.
+    fn span(&mut self, lane: &Lane<'_>, s: [f64; 2], hold: f64, number: [u32; 2], halvings: u32) {
+        let [piece, shift] = number;
         let forward = s[0] < s[1];
         let curve = self.buffer.shifts.get(shift as usize).copied();
         let at = |s: f64| center(lane, At { s, hold }, forward, curve.as_ref()).ok();
@@ -367,7 +369,8 @@ impl Builder<'_, '_, '_> {
             None => lane.length_between(from, to),
             Some(_) => {
                 let mut growth = |s| at(s).map_or(f64::NAN, |own| own.growth);
-                integral(&mut growth, from.min(to), from.max(to))
+                let line = lane.road().reference_end();
+                integral(&mut growth, from.min(to).min(line), from.max(to).min(line))
             }
         };
         let halves = [measure(s[0], middle), measure(middle, s[1])];
@@ -381,9 +384,10 @@ impl Builder<'_, '_, '_> {
         let run = (s[1] - s[0]).abs();
         let promised = [(a.growth, 1.0 - bend), (b.growth, 1.0 + bend)];
         let off = promised.map(|(growth, share)| (growth * run - length * share).abs() * OFF);
-        if off[0].max(off[1]) > UNEVEN && run > SHORT && middle != s[0] && middle != s[1] {
-            self.span(lane, [s[0], middle], hold, piece, shift);
-            self.span(lane, [middle, s[1]], hold, piece, shift);
+        if off[0].max(off[1]) > UNEVEN && halvings > 0 {
+            for half in [[s[0], middle], [middle, s[1]]] {
+                self.span(lane, half, hold, number, halvings - 1);
+            }
             return;
         }
         let origin = self.map.origin();

@@ -4,9 +4,9 @@
 //! are as seen by the driver. Lanes of real maps do not always meet: a gap or an overlap between two adds nothing to S and is
 //! listed ([`Path::joints`]), as is a change of lane, which is a jump to the side at its place or a curve over a length ([`LaneChange`]).
 //!
-//! Between two stations of the stored centre line, or over a half of that where the line bends more (a span), S grows with s as a parabola that
-//! is exact at both ends and in the middle, so that S and s follow from each other in closed form; positions and headings are the file's own
-//! polynomials at that s.
+//! A span lies between two stations of the stored centre line; where the line bends more it is halved, and again. On it S grows with s as a
+//! parabola that is exact at both ends and in the middle, so that S and s follow from each other in closed form. Positions and headings are the
+//! file's own polynomials at that s.
 
 mod along;
 mod approaches;
