@@ -50,8 +50,14 @@ impl Station {
 
     /// The point at a lateral distance `[m]`.
     pub fn at(&self, t: f64) -> [f64; 2] {
+        let [point] = self.all_at([t]);
+        point
+    }
+
+    /// The points at lateral distances `[m]`.
+    pub(crate) fn all_at<const N: usize>(&self, t: [f64; N]) -> [[f64; 2]; N] {
         let (cos, sin) = mapd_geometry::cos_sin(self.hdg);
-        [self.x - t * sin, self.y + t * cos]
+        t.map(|t| [self.x - t * sin, self.y + t * cos])
     }
 
     /// The points at the outermost borders: left, right `[m]`.

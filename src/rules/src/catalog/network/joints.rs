@@ -74,14 +74,15 @@ impl Edge {
 
     /// The largest distance between the corners of two lanes `[m]`.
     pub(super) fn gap(&self, other: &Self) -> f64 {
-        self.apart(other, 0).max(self.apart(other, 1))
+        let [inner, outer] = self.apart(other);
+        inner.max(outer)
     }
 
-    /// The distance between the inner (0) or outer (1) corners of two lanes `[m]`.
-    fn apart(&self, other: &Self, corner: usize) -> f64 {
-        let [ax, ay] = self.station.at(self.borders[corner]);
-        let [bx, by] = other.station.at(other.borders[corner]);
-        mapd_geometry::hypot(ax - bx, ay - by)
+    /// The distances between the inner and between the outer corners of two lanes `[m]`.
+    fn apart(&self, other: &Self) -> [f64; 2] {
+        let [own, others] = [self, other].map(|edge| edge.station.all_at(edge.borders));
+        let apart = |[ax, ay]: [f64; 2], [bx, by]: [f64; 2]| mapd_geometry::hypot(ax - bx, ay - by);
+        [apart(own[0], others[0]), apart(own[1], others[1])]
     }
 
     /// The angle between the two reference lines, whichever way they run `[rad]`.
@@ -116,7 +117,7 @@ fn astray(network: &Network, own: &LaneEnd<'_>, others: &[LaneEnd<'_>]) -> [Opti
         (0..others.len()).min_by_key(distance).map(|at| (at, 0)),
         (0..others.len()).max_by_key(distance).map(|at| (at, 1)),
     ];
-    ends.map(|end| end.and_then(|(at, corner)| found(at, edge.apart(&edge_of(at)?, corner))))
+    ends.map(|end| end.and_then(|(at, corner)| found(at, edge.apart(&edge_of(at)?)[corner])))
 }
 
 fn corners(network: &Network, sink: &mut Sink<'_>) {
