@@ -71,33 +71,79 @@ pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
     let both = ways().zip([from, to]);
     let searched =
         both.flat_map(|(ways, all)| all.into_iter().map(move |reached| Searched { ways, reached }));
-    let lengths = Columns::of(searched.collect(), places.count, length);
+    let by_length: Vec<Searched<'_>> = searched.collect();
     let starts: Vec<(&MotorWays, u32)> =
         ways().flat_map(|ways| chosen.iter().map(move |place| (ways, *place))).collect();
     let searched = starts.into_par_iter().map_init(Room::default, |room, (ways, place)| Searched {
         ways,
         reached: ways.distances(place, time, room),
     });
-    let times = Columns::of(searched.collect(), places.count, time);
-    let sizes = [lengths.step, times.step];
+    let by_time: Vec<Searched<'_>> = searched.collect();
+    let sizes = [step(&by_length), step(&by_time)];
     let node_of = |place: &u32| places.of_nodes.iter().position(|own| own == place);
     let fixed: Vec<u32> = chosen.iter().filter_map(node_of).map(|node| node as u32).collect();
     let anchors = anchors::find(rows, &fixed, sizes);
     // Anchors by their nodes and by their places, in the nodes' order.
-    let mut kept = Vec::new();
+    let mut kept = Kept { numbers: vec![NONE; places.count], count: 0 };
     let mut tables = vec![NONE; anchors.len()];
     for (node, own) in anchors.iter().enumerate().filter(|(node, a)| a.anchor == *node as u32) {
-        tables[node] = kept.len() as u32;
-        kept.push(places.get(own.anchor));
+        tables[node] = kept.count as u32;
+        kept.add(places.get(own.anchor));
     }
     let bound =
         |a: &anchors::Anchored| (tables.get(a.anchor as usize).copied().unwrap_or(NONE), a.steps);
     Landmarks {
         bounds: anchors.iter().map(bound).collect(),
-        count: kept.len() as u32,
+        count: kept.count as u32,
         landmarks: chosen.len() as u32,
-        lengths: lengths.of_places(&kept),
-        times: times.of_places(&kept),
+        lengths: kept.distances(by_length, sizes[0], length),
+        times: kept.distances(by_time, sizes[1], time),
+    }
+}
+
+/// Places whose distances are kept.
+struct Kept {
+    /// By place its number among them, or [`NONE`].
+    numbers: Vec<u32>,
+    /// How many there are.
+    count: usize,
+}
+
+impl Kept {
+    fn add(&mut self, place: u32) {
+        self.numbers[place as usize] = self.count as u32;
+        self.count += 1;
+    }
+
+    /// Their distances, rounded down; those that are not reached have the largest number.
+    fn distances(
+        &self,
+        searched: Vec<Searched<'_>>,
+        step: f64,
+        weight: impl Fn(&Weight) -> f32 + Copy + Sync,
+    ) -> Distances {
+        let column = |room: &mut Room, Searched { ways, reached }: Searched<'_>| {
+            let mut column = vec![u16::MAX; self.count];
+            ways.visit(&reached, weight, room, |place, distance| {
+                if let Some(own) = column.get_mut(self.numbers[place as usize] as usize) {
+                    *own = (distance / step) as u16;
+                }
+            });
+            column
+        };
+        let columns = searched.into_par_iter().map_init(Room::default, column);
+        let columns: Vec<Vec<u16>> = columns.collect();
+        let width = columns.len();
+        let mut steps = vec![0; self.count * width];
+        let rows = steps.par_chunks_mut(PLACES_PER_TASK * width.max(1));
+        rows.enumerate().for_each(|(task, rows)| {
+            for (place, row) in (task * PLACES_PER_TASK..).zip(rows.chunks_mut(width.max(1))) {
+                for (own, column) in row.iter_mut().zip(&columns) {
+                    *own = column[place];
+                }
+            }
+        });
+        Distances { step, steps }
     }
 }
 
@@ -124,15 +170,15 @@ fn choose([ahead, behind]: [&MotorWays; 2], ranks: &[u32], wanted: usize) -> Cho
     let first = (0..ranks.len() as u32).min_by_key(|place| ranks[*place as usize]);
     let Some(first) = first else { return chosen };
     let mut nearest = vec![f64::INFINITY; ranks.len()];
-    let near = |nearest: &mut [f64], ways: &MotorWays, reached: &Reached, room: &Room| {
-        for (place, distance) in ways.found(reached, room) {
+    let near = |nearest: &mut [f64], ways: &MotorWays, room: &Room| {
+        for (place, distance) in ways.found(room) {
             let near = &mut nearest[place as usize];
             *near = near.min(distance);
         }
     };
     let [mut room, mut room_behind] = [Room::default(), Room::default()];
-    let there = ahead.distances(first, length, &mut room);
-    near(&mut nearest, ahead, &there, &room);
+    ahead.distances(first, length, &mut room);
+    near(&mut nearest, ahead, &room);
     while chosen.places.len() < wanted.min(ranks.len()) {
         let first = |place: &u32| Reverse(ranks[*place as usize]);
         let far = |place: &u32| (nearest[*place as usize].to_bits(), first(place));
@@ -151,8 +197,8 @@ fn choose([ahead, behind]: [&MotorWays; 2], ranks: &[u32], wanted: usize) -> Cho
             nearest.fill(f64::INFINITY);
         }
         chosen.places.push(place);
-        near(&mut nearest, ahead, &there, &room);
-        near(&mut nearest, behind, &back, &room_behind);
+        near(&mut nearest, ahead, &room);
+        near(&mut nearest, behind, &room_behind);
         chosen.from.push(there);
         chosen.to.push(back);
     }
@@ -163,45 +209,4 @@ fn choose([ahead, behind]: [&MotorWays; 2], ranks: &[u32], wanted: usize) -> Cho
 fn step(searched: &[Searched<'_>]) -> f64 {
     let most = searched.iter().map(|one| one.reached.largest).fold(0.0, f64::max);
     if most > 0.0 { most / MOST_STEPS } else { 1.0 }
-}
-
-/// Distances by landmark, then by place, in steps rounded down: two bytes for each place.
-struct Columns {
-    step: f64,
-    columns: Vec<Vec<u16>>,
-}
-
-impl Columns {
-    /// Of so many places; those that are not reached have the largest number.
-    fn of(
-        searched: Vec<Searched<'_>>,
-        places: usize,
-        weight: impl Fn(&Weight) -> f32 + Copy + Sync,
-    ) -> Self {
-        let step = step(&searched);
-        let column = |room: &mut Room, Searched { ways, reached }: Searched<'_>| {
-            let mut column = vec![u16::MAX; places];
-            ways.visit(&reached, weight, room, |place, distance| {
-                column[place as usize] = (distance / step) as u16;
-            });
-            column
-        };
-        let columns = searched.into_par_iter().map_init(Room::default, column).collect();
-        Self { step, columns }
-    }
-
-    /// Place by place, of these.
-    fn of_places(self, kept: &[u32]) -> Distances {
-        let width = self.columns.len();
-        let mut steps = vec![0; kept.len() * width];
-        let rows = steps.par_chunks_mut(PLACES_PER_TASK * width.max(1));
-        rows.zip(kept.par_chunks(PLACES_PER_TASK)).for_each(|(rows, kept)| {
-            for (row, place) in rows.chunks_mut(width.max(1)).zip(kept) {
-                for (own, column) in row.iter_mut().zip(&self.columns) {
-                    *own = column[*place as usize];
-                }
-            }
-        });
-        Distances { step: self.step, steps }
-    }
 }

@@ -15,7 +15,7 @@ struct Member {
     place: u32,
     /// Position of the place that it follows; of a root its own.
     after: u32,
-    /// The way between; of a root none.
+    /// The way between; of a root none, at no distance.
     weight: Weight,
 }
 
@@ -56,12 +56,42 @@ struct InTree {
 /// What a search works in. The next one uses the same memory: of a large map it is too much to be taken from the system each time.
 #[derive(Default)]
 pub(super) struct Room {
-    /// Distances of roots.
-    roots: Vec<f64>,
     /// Trees whose roots are reached, the nearest first.
-    open: BinaryHeap<Reverse<(u64, u32)>>,
-    /// Distances of the places of some trees.
-    own: Vec<f64>,
+    open: BinaryHeap<Reverse<OpenTree>>,
+    /// Distances by position; those of places that were not reached are infinite.
+    distances: Vec<f64>,
+    /// Where places may have been reached.
+    used: Range<usize>,
+}
+
+impl Room {
+    /// Forgets all distances, of so many positions.
+    fn clear(&mut self, positions: usize) {
+        if let Some(used) = self.distances.get_mut(self.used.clone()) {
+            used.fill(f64::INFINITY);
+        }
+        self.distances.resize(positions, f64::INFINITY);
+        self.used = 0..0;
+    }
+}
+
+/// A tree whose root is reached, by the root's distance then: one number, which is compared at once.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct OpenTree(u128);
+
+impl OpenTree {
+    /// Distances are not negative: their bits order as they do.
+    fn new(tree: u32, distance: f64) -> Self {
+        Self(u128::from(distance.to_bits()) << u32::BITS | u128::from(tree))
+    }
+
+    fn tree(self) -> usize {
+        self.0 as u32 as usize
+    }
+
+    fn distance(self) -> f64 {
+        f64::from_bits((self.0 >> u32::BITS) as u64)
+    }
 }
 
 /// The graph forward and backward.
@@ -129,11 +159,6 @@ impl MotorWays {
         }
     }
 
-    /// Number of trees.
-    fn len(&self) -> usize {
-        self.trees.len() - 1
-    }
-
     /// Positions of the places of some trees.
     fn positions(&self, trees: Range<usize>) -> Range<usize> {
         self.trees[trees.start].members as usize..self.trees[trees.end].members as usize
@@ -144,35 +169,27 @@ impl MotorWays {
         &self.exits[from..to]
     }
 
-    /// Distances of the places of some trees by their positions, from those of their roots.
+    /// Passes on the distances of roots to all places at some positions. The place where the search began has its own.
     fn spread(
         &self,
-        first: usize,
-        roots: &[f64],
+        Range { start: first, end }: Range<usize>,
         start: InTree,
         weight: impl Fn(&Weight) -> f32 + Copy,
-        distances: &mut Vec<f64>,
+        distances: &mut [f64],
     ) {
-        let trees = first..first + roots.len();
-        let Range { start: base, end } = self.positions(trees.clone());
-        distances.resize(end - base, f64::INFINITY);
-        for (tree, root) in self.trees[trees].iter().zip(roots) {
-            distances[tree.members as usize - base] = *root;
-        }
-        let pass = |from: usize, to: usize, distances: &mut [f64]| {
-            for (i, own) in (from - base..).zip(&self.members[from..to]) {
-                let before = distances[own.after as usize - base];
-                distances[i] = before + f64::from(weight(&own.weight));
+        let mut pass = |from: usize, to: usize| {
+            for (i, own) in (from..).zip(&self.members[from..to]) {
+                // A root follows itself, at no distance.
+                distances[i] = distances[own.after as usize] + f64::from(weight(&own.weight));
             }
         };
         let start = start.position as usize;
-        if !(base..end).contains(&start) {
-            return pass(base, end, distances);
+        if (first..end).contains(&start) {
+            pass(first, start);
+            pass(start + 1, end);
+        } else {
+            pass(first, end);
         }
-        // The place where the search began follows nothing.
-        pass(base, start, distances);
-        distances[start - base] = 0.0;
-        pass(start + 1, end, distances);
     }
 
     /// Distances from a place to all (Dijkstra).
@@ -180,47 +197,47 @@ impl MotorWays {
         &self,
         from: u32,
         weight: impl Fn(&Weight) -> f32 + Copy,
-        Room { roots, open, own }: &mut Room,
+        room: &mut Room,
     ) -> Reached {
         let start = self.in_trees[from as usize];
-        roots.clear();
-        roots.resize(self.len(), f64::INFINITY);
+        room.clear(self.members.len());
+        let Room { open, distances, used } = room;
+        distances[start.position as usize] = 0.0;
         // The tree where the search begins comes first; if its root is reached from elsewhere, once more.
-        let (mut tree, mut distance) = (start.tree as usize, f64::INFINITY);
+        let mut tree = start.tree as usize;
+        let (mut first, mut last) = (tree, tree);
         loop {
-            self.spread(tree, &[distance], start, weight, own);
-            let base = self.trees[tree].members;
+            (first, last) = (first.min(tree), last.max(tree));
+            self.spread(self.positions(tree..tree + 1), start, weight, distances);
             for exit in self.exits(tree) {
-                let there = own[(exit.from - base) as usize] + f64::from(weight(&exit.weight));
-                let known = &mut roots[exit.to as usize];
+                let there = distances[exit.from as usize] + f64::from(weight(&exit.weight));
+                let known = &mut distances[self.trees[exit.to as usize].members as usize];
                 if there < *known {
                     *known = there;
-                    // Distances are not negative: their bits order as they do.
-                    open.push(Reverse((there.to_bits(), exit.to)));
+                    open.push(Reverse(OpenTree::new(exit.to, there)));
                 }
             }
-            let taken = std::iter::from_fn(|| open.pop());
-            let mut taken =
-                taken.map(|Reverse((bits, tree))| (tree as usize, f64::from_bits(bits)));
-            let Some(next) = taken.find(|(tree, there)| *there <= roots[*tree]) else { break };
-            (tree, distance) = next;
+            let root = |tree: usize| distances[self.trees[tree].members as usize];
+            let mut taken = std::iter::from_fn(|| open.pop()).map(|Reverse(open)| open);
+            let Some(next) = taken.find(|open| open.distance() <= root(open.tree())) else { break };
+            tree = next.tree();
         }
-        let mut reached = Reached::of(roots, start);
-        self.spread(reached.first, &reached.roots, start, weight, own);
-        let finite = own.iter().copied().filter(|distance| distance.is_finite());
-        reached.largest = finite.fold(0.0, f64::max);
-        reached
+        *used = self.positions(first..last + 1);
+        let roots = self.trees[first..=last].iter();
+        let roots = roots.map(|tree| distances[tree.members as usize]).collect();
+        let finite =
+            distances[used.clone()].iter().copied().filter(|distance| distance.is_finite());
+        Reached { first, roots, start, largest: finite.fold(0.0, f64::max) }
     }
 
-    /// The places of trees that are reached, with the distances that the last search in this room found.
+    /// The places that are reached, with the distances that the last search in this room found.
     pub(super) fn found<'a>(
         &'a self,
-        reached: &Reached,
         room: &'a Room,
     ) -> impl Iterator<Item = (u32, f64)> + use<'a> {
-        let positions = self.positions(reached.trees());
-        let places = self.members[positions].iter().map(|member| member.place);
-        places.zip(room.own.iter().copied()).filter(|(_, distance)| distance.is_finite())
+        let places = self.members[room.used.clone()].iter().map(|member| member.place);
+        let distances = room.distances[room.used.clone()].iter().copied();
+        places.zip(distances).filter(|(_, distance)| distance.is_finite())
     }
 
     /// Hands over the places that are reached with their distances, found once more.
@@ -231,8 +248,15 @@ impl MotorWays {
         room: &mut Room,
         mut found: impl FnMut(u32, f64),
     ) {
-        self.spread(reached.first, &reached.roots, reached.start, weight, &mut room.own);
-        self.found(reached, room).for_each(|(place, distance)| found(place, distance));
+        room.clear(self.members.len());
+        let trees = reached.first..reached.first + reached.roots.len();
+        room.used = self.positions(trees.clone());
+        for (tree, root) in self.trees[trees].iter().zip(&reached.roots) {
+            room.distances[tree.members as usize] = *root;
+        }
+        room.distances[reached.start.position as usize] = 0.0;
+        self.spread(room.used.clone(), reached.start, weight, &mut room.distances);
+        self.found(room).for_each(|(place, distance)| found(place, distance));
     }
 }
 
@@ -245,21 +269,6 @@ pub(super) struct Reached {
     start: InTree,
     /// The largest distance of any place that is reached.
     pub(super) largest: f64,
-}
-
-impl Reached {
-    fn of(all: &[f64], start: InTree) -> Self {
-        let is_reached = |distance: &f64| distance.is_finite();
-        let own = start.tree as usize;
-        let first = all.iter().position(is_reached).map_or(own, |first| first.min(own));
-        let last = all.iter().rposition(is_reached).map_or(own, |last| last.max(own));
-        let roots = all.get(first..=last).unwrap_or_default().to_vec();
-        Self { first, roots, start, largest: 0.0 }
-    }
-
-    fn trees(&self) -> Range<usize> {
-        self.first..self.first + self.roots.len()
-    }
 }
 
 #[cfg(test)]
