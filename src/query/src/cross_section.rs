@@ -100,6 +100,7 @@ impl<'a> SectionCutter<'a> {
     }
 
     /// As [`Road::cross_section`].
+    #[inline]
     pub fn cut(&mut self, s: f64) -> Option<CrossSection> {
         let s = self.stretch_at(s)?;
         let frame = self.frame.as_ref()?;

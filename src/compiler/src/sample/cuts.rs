@@ -56,14 +56,23 @@ impl<'m, 'a> Cuts<'m, 'a> {
     ) -> Option<DVec3> {
         let bits = s.to_bits();
         let slot = (bits.wrapping_mul(SPREAD) >> (64 - KEPT.trailing_zeros())) as usize;
+        let cut = self.memory.cuts.get(slot)?;
+        let frame = match (cut.s, cut.section) == (bits, self.memory.sections) {
+            true => cut.frame,
+            false => self.cut(slot, s)?,
+        };
+        Some(frame.place(t(self.cutter.lane_edges(lane, s)?)))
+    }
+
+    /// The cross-section at s, which is kept.
+    #[inline(never)]
+    fn cut(&mut self, slot: usize, s: f64) -> Option<CrossSection> {
         let cut = self.memory.cuts.get_mut(slot)?;
-        if (cut.s, cut.section) != (bits, self.memory.sections) {
-            // Marked first: what fails is not found again.
-            cut.section = 0;
-            cut.frame = self.cutter.cut(s)?;
-            (cut.s, cut.section) = (bits, self.memory.sections);
-        }
-        Some(cut.frame.place(t(self.cutter.lane_edges(lane, s)?)))
+        // Marked first: what fails is not found again.
+        cut.section = 0;
+        cut.frame = self.cutter.cut(s)?;
+        (cut.s, cut.section) = (s.to_bits(), self.memory.sections);
+        Some(cut.frame)
     }
 
     /// Whether a lane's edges are straight from one s up to another.

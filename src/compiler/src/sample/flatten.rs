@@ -150,6 +150,8 @@ struct Need {
 }
 
 /// Appends the points behind the first one of a stretch. Whether other stretches of its length surely need one segment as well.
+// Part of the loop over the parts of a longer stretch, most of which need no more: both ends stay in registers.
+#[inline(always)]
 fn refine(
     (a, b): (Sample, Sample),
     fineness: Fineness,
@@ -167,6 +169,19 @@ fn refine(
         out.push(b);
         return Ok(settles_alike);
     }
+    cut((a, b), parts, fineness, depth - 1, curve, out)?;
+    Ok(false)
+}
+
+/// Cuts a stretch into so many parts, and these as they need.
+fn cut(
+    (a, b): (Sample, Sample),
+    parts: u32,
+    fineness: Fineness,
+    depth: u32,
+    curve: &mut impl Curve,
+    out: &mut Vec<Sample>,
+) -> Result<(), Fault> {
     let mut from = a;
     let mut is_settled = false;
     for i in 1..=parts {
@@ -179,11 +194,11 @@ fn refine(
         if is_settled {
             out.push(to);
         } else {
-            is_settled = refine((from, to), fineness, depth - 1, curve, out)?;
+            is_settled = refine((from, to), fineness, depth, curve, out)?;
         }
         from = to;
     }
-    Ok(false)
+    Ok(())
 }
 
 /// What a stretch needs: one part where the curve stays near the chord between two of its points, at the places
