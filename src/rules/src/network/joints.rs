@@ -163,20 +163,20 @@ impl Network {
     pub fn each_lane_joint<'a>(&'a self, mut show: impl FnMut(&LaneJoint<'a>)) {
         for road in &self.roads {
             for (rank, section) in self.sections_of(road).iter().enumerate() {
-                let lanes = self.lanes_of(section);
                 // Lanes stand by falling id: those to the left come first.
-                let sides = [
-                    lanes.first().is_some_and(|lane| lane.id >= 0),
-                    lanes.last().is_some_and(|lane| lane.id < 0),
-                ];
-                let neighbors = [1, -1].map(|side| {
-                    let is_there = sides[usize::from(side < 0)];
-                    Contact::BOTH
-                        .map(|end| is_there.then(|| self.neighbor(road, rank, end, side)).flatten())
-                });
-                for (lane_rank, lane) in section.lane_ranks().zip(lanes) {
+                let (mut side, mut neighbors) = (0, [None; 2]);
+                for (lane_rank, lane) in section.lane_ranks().zip(self.lanes_of(section)) {
+                    let own_side = if lane.id < 0 { -1 } else { 1 };
+                    if side != own_side {
+                        side = own_side;
+                        let [start, end] = Contact::BOTH;
+                        neighbors = [
+                            self.neighbor(road, rank, start, side),
+                            self.neighbor(road, rank, end, side),
+                        ];
+                    }
                     for end in Contact::BOTH {
-                        let neighbor = neighbors[usize::from(lane.id < 0)][end as usize];
+                        let neighbor = neighbors[end as usize];
                         for link in self.links_of(lane, end) {
                             let network = self;
                             show(&LaneJoint {
