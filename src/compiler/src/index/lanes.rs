@@ -232,10 +232,11 @@ fn leaf(map: Map<'_>, places: &[LaneSegment], options: &CompileOptions) -> (Inde
             lanes.push(lines);
         }
         let lines = lanes.last().filter(|lines| lines.lane == place.lane);
-        *segment = lines.map_or_else(Default::default, |lines| ends(&lines.center, place.segment));
-        for end in segment.map(|end| end.place.truncate()) {
+        let ends = lines.map_or_else(Default::default, |lines| ends(&lines.center, place.segment));
+        for end in ends.map(|end| end.place.truncate()) {
             (low, high) = (low.min(end), high.max(end));
         }
+        *segment = ends;
     }
     let frame = LeafFrame::around(low, high);
     let mut row = IndexLeafRow {
