@@ -6,12 +6,31 @@
 use bytemuck::NoUninit;
 use mapd_archive::{Range, RowMapping};
 use std::collections::HashMap;
-use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::hash::{BuildHasherDefault, DefaultHasher, Hash as _, Hasher};
+
+/// Takes a number that is a hash already.
+#[derive(Default)]
+struct Hashed(u64);
+
+impl Hasher for Hashed {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        // Only 64-bit numbers are asked for.
+        bytes.iter().for_each(|byte| self.0 = self.0.rotate_left(8) ^ u64::from(*byte));
+    }
+
+    fn write_u64(&mut self, hash: u64) {
+        self.0 = hash;
+    }
+}
 
 /// Where sequences of the rows of one table lie, by a hash of their bytes.
 #[derive(Default)]
 pub(crate) struct Interned {
-    known: HashMap<u64, Range>,
+    known: HashMap<u64, Range, BuildHasherDefault<Hashed>>,
     /// Of a part of a map: all sequences in the order in which they lie; with their hash, unless they lie for themselves.
     sequences: Option<Vec<(Range, Option<u64>)>>,
 }
@@ -19,7 +38,7 @@ pub(crate) struct Interned {
 impl Interned {
     /// Of a part of a map, to be appended to the whole.
     pub(super) fn of_part() -> Self {
-        Self { known: HashMap::new(), sequences: Some(Vec::new()) }
+        Self { known: HashMap::default(), sequences: Some(Vec::new()) }
     }
 
     /// Takes the rows from `before` on; where the same ones are there already, those stand for them.

@@ -9,11 +9,11 @@ use std::collections::HashMap;
 pub(crate) struct Styles {
     known: HashMap<Vec<u8>, u32>,
     /// First rows of sequences of marks, by what they hold.
-    sequences: HashMap<Vec<(u64, u32)>, u32>,
+    sequences: HashMap<Vec<u8>, u32>,
     /// Room for what is looked up: nearly all of it is there already.
     style: Vec<u8>,
     /// The sequence that is being taken.
-    sequence: Vec<(u64, u32)>,
+    sequence: Vec<RoadMarkRow>,
 }
 
 impl Styles {
@@ -24,25 +24,21 @@ impl Styles {
 
     /// The next mark: where it begins behind the section's start `[m]`, and its style.
     pub(crate) fn then(&mut self, s: f64, style: u32) {
-        self.sequence.push((s.to_bits(), style));
+        self.sequence.push(RoadMarkRow { s_offset: s, style, last: 0, reserved: [0; 3] });
     }
 
     /// First row of the sequence of marks, which is written if it is a new one.
     pub(crate) fn end(&mut self, rows: &mut Rows) -> u32 {
-        let Some((last, others)) = self.sequence.split_last() else { return NONE };
-        if let Some(known) = self.sequences.get(&self.sequence) {
+        let Some(last) = self.sequence.last_mut() else { return NONE };
+        last.last = 1;
+        // Bytes are hashed at once, and rows number by number.
+        let bytes: &[u8] = bytemuck::cast_slice(&self.sequence);
+        if let Some(known) = self.sequences.get(bytes) {
             return *known;
         }
         let first = rows.road_marks.len() as u32;
-        let row = |(s_offset, style): &(u64, u32), last| RoadMarkRow {
-            s_offset: f64::from_bits(*s_offset),
-            style: *style,
-            last,
-            reserved: [0; 3],
-        };
-        rows.road_marks.extend(others.iter().map(|mark| row(mark, 0)));
-        rows.road_marks.push(row(last, 1));
-        self.sequences.insert(self.sequence.clone(), first);
+        rows.road_marks.extend_from_slice(&self.sequence);
+        self.sequences.insert(bytes.to_vec(), first);
         first
     }
 
