@@ -2,7 +2,9 @@
 
 use crate::place::value;
 use crate::shapes::compiled;
-use mapd_geometry::{CompileError, Compiled, Curve, CurvePoint, ParameterRange, Primitive, Start};
+use mapd_geometry::{
+    CompileError, Compiled, Curve, CurvePoint, ParameterRange, Primitive, Start, Tangent,
+};
 use mapd_xodr::{Attribute, CurveLocal, Geometry, ParamPoly3Range, PlanView, Span};
 
 /// A geometry that is a curve.
@@ -184,6 +186,17 @@ impl Piece {
     /// Everything about the point at a distance from the piece's start `[m]`, kept within its length.
     pub fn at(&self, u: f64) -> Option<CurvePoint> {
         Some(self.curve()?.evaluate(u))
+    }
+
+    /// The place there in plan view `[m]`, the same bits as in [`Piece::at`].
+    pub(crate) fn place(&self, u: f64) -> Option<[f64; 2]> {
+        let Tangent { x, y, .. } = self.curve()?.tangent(u);
+        Some([x, y])
+    }
+
+    /// The heading there `[rad]`, the same bits as in [`Piece::at`].
+    pub(crate) fn heading(&self, u: f64) -> Option<f64> {
+        Some(self.curve()?.heading(u))
     }
 
     /// The curvature there `[1/m]`, the same bits as in [`Piece::at`].

@@ -1,6 +1,7 @@
 //! The reference line in the plane.
 
 use crate::example::Example::PlanView;
+use crate::line::Piece;
 use crate::place::{RoadIn, number};
 use crate::rule::Check::Road;
 use crate::rule::{Rule, Tolerance};
@@ -205,17 +206,19 @@ fn length_is_sum(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     }
 }
 
-/// Shows each joint: the geometry behind it, the gap `[m]`, the kink `[rad]` and the step of curvature `[1/m]`.
-fn joints(of: &RoadIn<'_>, mut show: impl FnMut(&Geometry, f64, f64, f64)) {
+/// Shows each joint: the geometry behind it, and what is told of the ends of the pieces that meet there, the first one's end first.
+fn joints<T>(
+    of: &RoadIn<'_>,
+    tell: impl Fn(&Piece, f64) -> Option<T>,
+    mut show: impl FnMut(&Geometry, [T; 2]),
+) {
     let all = geometries(of);
     for pair in of.line.pieces.windows(2).filter(|pair| pair[0].index + 1 == pair[1].index) {
-        let (Some(end), Some(start)) = (pair[0].at(pair[0].length), pair[1].at(0.0)) else {
+        let (Some(end), Some(start)) = (tell(&pair[0], pair[0].length), tell(&pair[1], 0.0)) else {
             continue;
         };
         let Some(geometry) = all.get(pair[1].index) else { continue };
-        let gap = mapd_geometry::hypot(start.x - end.x, start.y - end.y);
-        let kink = normalize_angle(start.heading - end.heading).abs();
-        show(geometry, gap, kink, (start.curvature - end.curvature).abs());
+        show(geometry, [end, start]);
     }
 }
 
@@ -225,7 +228,8 @@ fn grade(value: f64, broken: Tolerance) -> Severity {
 }
 
 fn gaps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    joints(of, |geometry, gap, _, _| {
+    joints(of, Piece::place, |geometry, [[end_x, end_y], [x, y]]| {
+        let gap = mapd_geometry::hypot(x - end_x, y - end_y);
         if gap > GAP.value {
             let found = format_args!("one {gap:.3} m away; kept as written");
             let expected = "a start where the geometry before ends";
@@ -235,7 +239,8 @@ fn gaps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn kinks(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    joints(of, |geometry, _, kink, _| {
+    joints(of, Piece::heading, |geometry, [end, start]| {
+        let kink = normalize_angle(start - end).abs();
         if kink > KINK.value {
             let found = format_args!("one that differs by {kink:.6} rad");
             let expected = "the heading that the geometry before ends with";
@@ -245,7 +250,8 @@ fn kinks(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn curvature_steps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    joints(of, |geometry, _, _, step| {
+    joints(of, Piece::curvature, |geometry, [end, start]| {
+        let step = (start - end).abs();
         if step > CURVATURE.value {
             let found = format_args!("a step by {step:.6} 1/m");
             sink.add_within(PART, geometry.span, "a steady curvature", found);
