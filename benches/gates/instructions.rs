@@ -29,7 +29,7 @@ const BOUNDS: [(&str, u64); 12] = [
     ("contains", 1_155),
     ("near", 30_240),
     ("near-few", 6_140),
-    ("short-length", 780),
+    ("short-length", 815),
 ];
 
 /// Most that all lanes near a place may take where they are few, as a multiple of the nearest alone within the same radius.

@@ -21,7 +21,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
         [
             "b7753ddd497de525",
             "b4cde566b29d2246",
-            "1629461286d058b0",
+            "80820b4f544cf40b",
             "aa5b17d66c34625b",
             "af1349b9f5f9a1a6",
             "4d56ea031cd7a25d",
@@ -43,7 +43,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
         [
             "b2a8d3e8f7bb6cb6",
             "93bd04da74df0c3e",
-            "3f50f3530a3610eb",
+            "7886959d604ac67e",
             "69ee5a1897b71992",
             "af1349b9f5f9a1a6",
             "a5f54efeafebef32",

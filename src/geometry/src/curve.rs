@@ -185,14 +185,20 @@ impl<'a> Curve<'a> {
         }
     }
 
-    /// Metres of the curve per metre of u at `u` `[m]`: 1 but for a cubic whose true length is not the written one, and for a transformed curve.
+    /// Metres of the curve per metre of u at `u` `[m]`, and its signed curvature there in 1/m. The first is 1 but for a cubic whose true length is
+    /// not the written one, and for a transformed curve.
     #[must_use]
-    pub fn speed(&self, u: f64) -> f64 {
+    pub fn speed_and_curvature(&self, u: f64) -> [f64; 2] {
         let u = self.clamp(u);
         match &self.shape {
-            Shape::Line | Shape::Arc { .. } | Shape::Spiral(_) => 1.0,
-            Shape::Parametric(parametric) => parametric.jet(u).first.length(),
-            Shape::Transformed(transformed) => transformed.frame(u).speed,
+            Shape::Line => [1.0, 0.0],
+            Shape::Arc { curvature } => [1.0, *curvature],
+            Shape::Spiral(spiral) => [1.0, spiral.curvature(u)],
+            Shape::Parametric(parametric) => parametric.speed_and_curvature(u),
+            Shape::Transformed(transformed) => {
+                let frame = transformed.frame(u);
+                [frame.speed, frame.curvature]
+            }
         }
     }
 

@@ -88,6 +88,16 @@ impl Parametric<'_> {
         }
     }
 
+    /// |dr/du| and the curvature.
+    pub(crate) fn speed_and_curvature(&self, u: f64) -> [f64; 2] {
+        let (piece, t) = self.pieces.find(u);
+        let (p, slope) = value_and_derivative(piece, t);
+        let (first, second) = (self.cubics.first(p), self.cubics.second(p));
+        let length = first.length();
+        let curvature = first.perp_dot(second) / (length * length * length);
+        [length * slope.abs() * self.pieces.rate(), curvature]
+    }
+
     #[inline]
     pub(crate) fn jet(&self, u: f64) -> Jet {
         let (piece, t) = self.pieces.find(u);

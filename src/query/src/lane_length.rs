@@ -85,7 +85,8 @@ impl Middle {
     fn growth(&self, piece: &GeometryPiece<'_>, s: f64) -> f64 {
         let Self { center, cos, sin, turned } = self;
         let u = s - piece.s;
-        let along = piece.curve.speed(u) * (1.0 - piece.curve.curvature(u) * center.value * cos);
+        let [speed, curvature] = piece.curve.speed_and_curvature(u);
+        let along = speed * (1.0 - curvature * center.value * cos);
         let across = center.derivative * cos - center.value * sin * turned;
         (along * along + across * across).sqrt()
     }

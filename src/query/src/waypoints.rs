@@ -43,7 +43,7 @@ impl<'a> Lane<'a> {
         let roll_slope = self.road().superelevation_slope(at);
         let change = drift * roll_cos - t * roll_sin * roll_slope;
         let piece = self.road().piece_at(at).ok_or(QueryError::Corrupt)?;
-        let speed = piece.curve.speed(at.s - piece.s);
+        let [speed, _] = piece.curve.speed_and_curvature(at.s - piece.s);
         let along = speed * (1.0 - curvature * t * roll_cos);
         // Beyond the centre of curvature the line runs backwards; traffic does not.
         let turn = mapd_geometry::atan2(if along < 0.0 { -change } else { change }, along.abs());

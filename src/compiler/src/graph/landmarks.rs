@@ -92,8 +92,11 @@ pub(crate) fn find(rows: &Rows, landmarks: usize) -> Landmarks {
     }
     let bound =
         |a: &anchors::Anchored| (tables.get(a.anchor as usize).copied().unwrap_or(NONE), a.steps);
+    let bounds = anchors.iter().map(bound).collect();
+    // Memory is short now: all distances are there twice while they are put in order.
+    drop((anchors, tables, places));
     Landmarks {
-        bounds: anchors.iter().map(bound).collect(),
+        bounds,
         count: kept.count as u32,
         landmarks: chosen.len() as u32,
         lengths: kept.distances(by_length, sizes[0], length),

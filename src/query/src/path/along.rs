@@ -82,7 +82,8 @@ impl Course {
         let road = lane.road();
         let piece = road.piece_at(at)?;
         let u = at.s - piece.s;
-        let (point, speed) = (piece.curve.evaluate(u), piece.curve.speed(u));
+        let point = piece.curve.evaluate(u);
+        let [speed, _] = piece.curve.speed_and_curvature(u);
         let edges = lane.edge_slopes(at);
         let shift = shift.map_or_else(Slope::default, |shift| shift.at(lane, at, &edges));
         let t = 0.5 * (edges.inner.value + edges.outer.value) + shift.value;
