@@ -269,7 +269,7 @@ fn routes_name_their_lanes() {
     check(
         &["route"],
         "from_road,from_s,from_lane,to_road,to_s,to_lane\n1,10,-1,1,50,-1\n1,130,-1,1,150,-2\n1,150,1,1,150,-1\n1,50,-1,1,10,-1\n1,10,-1,1,9999,-1\n",
-        "from_road,from_s,from_lane,to_road,to_s,to_lane,length,lane_changes,lanes,error\n1,10,-1,1,50,-1,40.0,0,1:0:-1,\n1,130,-1,1,150,-2,21.37570990247777,1,1:1:-1;1:1:-2,\n1,150,1,1,150,-1,,,,no way for passengerCar\n1,50,-1,1,10,-1,,,,no way for passengerCar\n1,10,-1,1,9999,-1,,,,\"s must lie between 0 and the road's length 200.0, found 9999.0\"\n",
+        "from_road,from_s,from_lane,to_road,to_s,to_lane,length,lane_changes,lanes,error\n1,10,-1,1,50,-1,40.0,0,1:0:-1,\n1,130,-1,1,150,-2,21.375710000460977,1,1:1:-1;1:1:-2,\n1,150,1,1,150,-1,,,,no way for passengerCar\n1,50,-1,1,10,-1,,,,no way for passengerCar\n1,10,-1,1,9999,-1,,,,\"s must lie between 0 and the road's length 200.0, found 9999.0\"\n",
     );
     check(
         &["route", "--vehicle", "pedestrian"],

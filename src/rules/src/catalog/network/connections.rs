@@ -59,7 +59,7 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "mapd:xodr:1.4.0:junction.entered_road",
-        "A road within a junction that vehicles drive on is the connecting road of a connection.",
+        "Where a junction has connections, each road within it that vehicles drive on is the connecting road of one.",
         All(is_entered),
         [
             SOUND,
@@ -229,6 +229,9 @@ fn is_entered(network: &Network, sink: &mut Sink<'_>) {
             continue;
         };
         let connections = network.connections_of(junction);
+        if connections.is_empty() {
+            continue;
+        }
         let connecting: BTreeSet<Name> = connections.iter().map(|own| own.connecting).collect();
         for road in network.roads_within(id).filter(|road| !connecting.contains(&road.id)) {
             let mut lanes = network.sections_of(road).iter().flat_map(|own| network.lanes_of(own));
