@@ -37,6 +37,7 @@ mod directory;
 mod error;
 mod generated;
 mod graph_codes;
+mod hashed;
 mod header;
 mod lane_row;
 mod mark_codes;
@@ -84,6 +85,9 @@ pub use generated::{
     tables::Tables,
 };
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
+// For the compiler, which keeps sequences of rows as this crate keeps strings.
+#[doc(hidden)]
+pub use hashed::{ByHash, Hashed};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use lane_row::{MOST_OF_LANE, NOT_BESIDE, beside_of, beside_row, section_step};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};

@@ -1,26 +1,7 @@
 //! The string table while it is filled: each text once.
 
-use std::collections::HashMap;
-use std::hash::{BuildHasher as _, BuildHasherDefault, Hasher, RandomState};
-
-/// Takes numbers that are hashes already.
-#[derive(Default)]
-struct Hashed(u64);
-
-impl Hasher for Hashed {
-    fn finish(&self) -> u64 {
-        self.0
-    }
-
-    fn write(&mut self, bytes: &[u8]) {
-        // Only 64-bit numbers are asked for.
-        bytes.iter().for_each(|byte| self.0 = self.0.rotate_left(8) ^ u64::from(*byte));
-    }
-
-    fn write_u64(&mut self, hash: u64) {
-        self.0 = hash;
-    }
-}
+use crate::hashed::ByHash;
+use std::hash::{BuildHasher as _, RandomState};
 
 /// Collects the strings that rows name and gives each a number, in the order in which they are added. String 0 is empty.
 ///
@@ -29,7 +10,7 @@ impl Hasher for Hashed {
 #[derive(Debug)]
 pub struct StringTable {
     /// Numbers by the hashes of their texts; where one is taken by another text, by the next that is not.
-    numbers: HashMap<u64, u32, BuildHasherDefault<Hashed>>,
+    numbers: ByHash<u32>,
     hasher: RandomState,
     bytes: Vec<u8>,
     offsets: Vec<u32>,
@@ -37,7 +18,7 @@ pub struct StringTable {
 
 impl Default for StringTable {
     fn default() -> Self {
-        let (numbers, hasher) = (HashMap::default(), RandomState::new());
+        let (numbers, hasher) = (ByHash::default(), RandomState::new());
         Self { numbers, hasher, bytes: Vec::new(), offsets: vec![0; 2] }
     }
 }

@@ -4,33 +4,13 @@
 //! curvatures, and its crossings few shapes. Stored once, they take less room, and few of them are waited for.
 
 use bytemuck::NoUninit;
-use mapd_archive::{Range, RowMapping};
-use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, DefaultHasher, Hash as _, Hasher};
-
-/// Takes a number that is a hash already.
-#[derive(Default)]
-struct Hashed(u64);
-
-impl Hasher for Hashed {
-    fn finish(&self) -> u64 {
-        self.0
-    }
-
-    fn write(&mut self, bytes: &[u8]) {
-        // Only 64-bit numbers are asked for.
-        bytes.iter().for_each(|byte| self.0 = self.0.rotate_left(8) ^ u64::from(*byte));
-    }
-
-    fn write_u64(&mut self, hash: u64) {
-        self.0 = hash;
-    }
-}
+use mapd_archive::{ByHash, Range, RowMapping};
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 
 /// Where sequences of the rows of one table lie, by a hash of their bytes.
 #[derive(Default)]
 pub(crate) struct Interned {
-    known: HashMap<u64, Range, BuildHasherDefault<Hashed>>,
+    known: ByHash<Range>,
     /// Of a part of a map: all sequences in the order in which they lie; with their hash, unless they lie for themselves.
     sequences: Option<Vec<(Range, Option<u64>)>>,
 }
@@ -38,7 +18,7 @@ pub(crate) struct Interned {
 impl Interned {
     /// Of a part of a map, to be appended to the whole.
     pub(super) fn of_part() -> Self {
-        Self { known: HashMap::default(), sequences: Some(Vec::new()) }
+        Self { known: ByHash::default(), sequences: Some(Vec::new()) }
     }
 
     /// Takes the rows from `before` on; where the same ones are there already, those stand for them.
