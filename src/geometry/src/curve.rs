@@ -185,7 +185,7 @@ impl<'a> Curve<'a> {
         }
     }
 
-    /// Metres of the curve per metre of u at `u` `[m]`, and its signed curvature there in 1/m. The first is 1 but for a cubic whose true length is
+    /// Metres of the curve per metre of u at `u` `[m]`, and its signed curvature there in 1/m, positive to the left. The first is 1 but for a cubic whose true length is
     /// not the written one, and for a transformed curve.
     #[must_use]
     pub fn speed_and_curvature(&self, u: f64) -> [f64; 2] {

@@ -109,7 +109,7 @@ impl Drop for Watcher {
 /// What has become of a map's files.
 #[derive(Debug, PartialEq)]
 enum Settled {
-    /// They can be read; `stage` is that of [`Watched`].
+    /// They are to be read, though the map's own may be gone; `stage` is that of [`Watched`].
     Changed { stage: bool },
     /// A file that the map includes stays away.
     Gone { included: PathBuf },

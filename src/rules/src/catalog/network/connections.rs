@@ -239,7 +239,10 @@ fn is_entered(network: &Network, sink: &mut Sink<'_>) {
                 sink.add_in(
                     PartOf::road(network.name(road.id), ""),
                     road.span,
-                    format_args!("a connection of junction {} with it", network.name(id)),
+                    format_args!(
+                        "a connection of junction {} that leads into it",
+                        network.name(id)
+                    ),
                     "none",
                 );
             }
