@@ -5,7 +5,7 @@
 //! searched. A search backwards has places of its own that follow.
 
 use super::motor_edges::{Edge, Places, Sparse, Weight, edges};
-use mapd_archive::{NONE, Rows};
+use mapd_archive::{NONE, Rows, prefetch};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::Range;
@@ -214,6 +214,10 @@ impl MotorWays {
                 let known = &mut distances[self.trees[exit.to as usize].members as usize];
                 if there < *known {
                     *known = there;
+                    // It is read when its turn comes, and by then it is at hand.
+                    let to = exit.to as usize;
+                    prefetch(&self.members[self.positions(to..to + 1)]);
+                    prefetch(self.exits(to));
                     open.push(Reverse(OpenTree::new(exit.to, there)));
                 }
             }
