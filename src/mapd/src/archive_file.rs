@@ -1,6 +1,7 @@
 //! Writing `.mapd` files: exact size, straight from the tables, visible under their name only when whole.
 
 use crate::draft::Draft;
+use crate::early_sync;
 use anyhow::{Context, Result};
 use mapd_archive::side_by_side::{encode_to_with, verify_hash, verify_tables};
 use mapd_archive::{Header, Provenance, Rows, encoded_length};
@@ -8,6 +9,7 @@ use mapd_client::Snapshot;
 use rustix::fs::FallocateFlags;
 use std::borrow::Borrow;
 use std::fs::{File, OpenOptions};
+use std::io::{Seek, Write};
 use std::path::Path;
 
 /// An archive that is written but for its name.
@@ -47,14 +49,18 @@ pub(crate) fn prepare(
 ) -> Result<UnnamedArchive> {
     let context = || format!("writing {}", path.display());
     let draft = Draft::begin(path).with_context(context)?;
-    let header = fill(draft.file(), rows.borrow(), provenance).with_context(context)?;
-    // If they are this function's, they go before the archive is mapped: it is as large as they are.
-    drop(rows);
-    // The disk takes its time; the file has no name yet that anybody would open.
-    let (proven, synced) = rayon::join(|| prove(draft.path()), || draft.file().sync_data());
-    proven.with_context(context)?;
-    synced.with_context(context)?;
-    Ok(UnnamedArchive { draft, header })
+    let header: Result<Header> = std::thread::scope(|scope| {
+        // The disk takes its time; the file has no name yet that anybody would open.
+        let (mut writing, syncing) = early_sync::begin(draft.file(), scope);
+        let header = fill(draft.file(), &mut writing, rows.borrow(), provenance)?;
+        drop(writing);
+        // If they are this function's, they go before the archive is mapped: it is as large as they are.
+        drop(rows);
+        prove(draft.path())?;
+        syncing.finish()?;
+        Ok(header)
+    });
+    Ok(UnnamedArchive { header: header.with_context(context)?, draft })
 }
 
 /// Proves an archive that has been written, in place.
@@ -79,10 +85,16 @@ fn prove(path: &Path) -> Result<()> {
 pub fn write_into(path: &Path, rows: &Rows, provenance: &Provenance) -> Result<Header> {
     let context = || format!("writing {}", path.display());
     let file = OpenOptions::new().read(true).write(true).open(path).with_context(context)?;
-    fill(&file, rows, provenance).with_context(context)
+    fill(&file, &mut &file, rows, provenance).with_context(context)
 }
 
-fn fill(file: &File, rows: &Rows, provenance: &Provenance) -> Result<Header> {
+/// Writes an archive to an empty file, through a writer of that file.
+fn fill(
+    file: &File,
+    writer: &mut (impl Write + Seek + Send),
+    rows: &Rows,
+    provenance: &Provenance,
+) -> Result<Header> {
     let length = encoded_length(rows)? as u64;
     file.set_len(length)?;
     // Reserves the blocks: a full disk shows at once. Not every file system can.
@@ -92,7 +104,7 @@ fn fill(file: &File, rows: &Rows, provenance: &Provenance) -> Result<Header> {
     }
     // All of it in the pool: who is outside waits for each join.
     let written = rayon::scope(|_| {
-        encode_to_with(rows, provenance, &mut &*file, &|hash, write| {
+        encode_to_with(rows, provenance, writer, &|hash, write| {
             rayon::join(hash, write);
         })
     });

@@ -28,6 +28,7 @@ pub mod commands;
 pub mod control;
 mod daemon;
 pub mod draft;
+mod early_sync;
 pub mod exit;
 mod faults;
 mod findings;
