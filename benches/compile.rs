@@ -1,10 +1,13 @@
-//! Compile throughput against quick-xml's own loop over events, attributes and numbers.
+//! Compile throughput against quick-xml's own loop over events, attributes and numbers. `PEER` may name a program that loads the map
+//! whose path it is given and prints `wall_ms=` with the milliseconds that loading alone took: it then runs in turns with them.
 
 use mapd::archive_file;
 use mapd_benches::{best_computed, computed, computed_here, floor, maps, print};
 use mapd_compiler::{CompileOptions, Progress, compile};
+use std::ffi::OsString;
 use std::hint::black_box;
 use std::path::Path;
+use std::process::Command;
 use std::time::{Duration, Instant};
 
 /// A stage of a compilation, and what it took.
@@ -74,6 +77,15 @@ fn best_stages(runs: usize, path: &Path, archive: &Path) -> String {
     texts.collect::<Vec<_>>().join(", ")
 }
 
+/// How long the program that `PEER` names loads a map; none without one, or where it gives up.
+fn peer_load(peer: Option<&OsString>, path: &Path) -> Option<Duration> {
+    let told = Command::new(peer?).arg(path).output().ok()?;
+    let told = String::from_utf8(told.stdout).ok()?;
+    let (_, time) = told.split_once("wall_ms=")?;
+    let time = time.split_whitespace().next()?.parse::<f64>().ok()?;
+    Duration::try_from_secs_f64(time / 1e3).ok()
+}
+
 fn ratio(a: Duration, b: Duration) -> f64 {
     a.as_secs_f64() / b.as_secs_f64()
 }
@@ -85,6 +97,7 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 fn main() {
+    let peer = std::env::var_os("PEER");
     let folder = tempfile::tempdir().expect("a folder");
     let archive = folder.path().join("archive.mapd");
     for (name, path) in maps(folder.path()) {
@@ -95,6 +108,7 @@ fn main() {
         {
             let options = CompileOptions { landmarks, ..CompileOptions::default() };
             // Each in turn with the bare loop: a machine that others share changes its speed.
+            let mut peers = Vec::new();
             let pairs: Vec<[(Duration, Duration); 2]> = (0..runs)
                 .map(|_| {
                     let bare = best_computed(1, || {
@@ -107,6 +121,7 @@ fn main() {
                         archive_file::write(&archive, &rows, &compiled.provenance)
                             .expect("writes and proves");
                     });
+                    peers.extend(peer_load(peer.as_ref(), &path).map(|load| ratio(whole.0, load)));
                     [bare, whole]
                 })
                 .collect();
@@ -120,6 +135,13 @@ fn main() {
                 median(pairs.iter().map(|[bare, whole]| ratio(whole.0, bare.0))),
                 median(pairs.iter().map(|[bare, whole]| ratio(whole.1, bare.1))),
             ));
+            if !peers.is_empty() {
+                let least = peers.iter().copied().fold(f64::INFINITY, f64::min);
+                let all = median(peers.iter().copied());
+                print(&format!(
+                    "  {all:.2} × what PEER takes to load it (median; least {least:.2})"
+                ));
+            }
         }
         // A peer that builds its own representation, which nobody else can share, and checks nothing.
         let start = now();
