@@ -11,6 +11,17 @@ pub(crate) struct EdgeSlopes {
     pub(crate) outer: Slope,
 }
 
+impl EdgeSlopes {
+    /// That of the lane's centre.
+    #[inline]
+    pub(crate) fn center(&self) -> Slope {
+        Slope {
+            value: 0.5 * (self.inner.value + self.outer.value),
+            derivative: 0.5 * (self.inner.derivative + self.outer.derivative),
+        }
+    }
+}
+
 /// A width of at most this is none `[m]`.
 const NO_WIDTH: f64 = 1e-9;
 

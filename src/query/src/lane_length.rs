@@ -1,8 +1,10 @@
 //! Lengths along a lane's centre line, and the speed limit there.
 
+use crate::beside::Beside;
 use crate::integral::integral;
 use crate::lane::Lane;
-use crate::profile::{self, At, Slope};
+use crate::lane_edges::EdgeSlopes;
+use crate::profile::{self, At};
 use crate::road::{GeometryPiece, Road};
 use mapd_archive::{ArchivedCubicRow, SpeedKind};
 
@@ -65,30 +67,6 @@ impl<'a> CachedGeometry<'a> {
             self.to = rows.get(next).map_or(f64::INFINITY, |g| g.s());
         }
         self.piece
-    }
-}
-
-/// Where the centre line lies beside the reference line at a place, and how the road is rolled there.
-#[derive(Clone, Copy)]
-struct Middle {
-    /// t with its growth along s.
-    center: Slope,
-    /// Cosine and sine of the superelevation.
-    cos: f64,
-    sin: f64,
-    /// Growth of the superelevation along s `[rad/m]`; 0 where it is level across.
-    turned: f64,
-}
-
-impl Middle {
-    /// Metres of the centre line per metre of s in plan view, at a place of a piece of the reference line.
-    fn growth(&self, piece: &GeometryPiece<'_>, s: f64) -> f64 {
-        let Self { center, cos, sin, turned } = self;
-        let u = s - piece.s;
-        let [speed, curvature] = piece.curve.speed_and_curvature(u);
-        let along = speed * (1.0 - curvature * center.value * cos);
-        let across = center.derivative * cos - center.value * sin * turned;
-        (along * along + across * across).sqrt()
     }
 }
 
@@ -168,7 +146,9 @@ impl<'a> Lane<'a> {
     /// Metres of the centre line per metre of s in plan view.
     fn growth_at(&self, s: f64) -> f64 {
         let at = self.at(s);
-        self.road.piece_at(at).map_or(1.0, |piece| self.middle(at).growth(&piece, s))
+        self.road
+            .piece_at(at)
+            .map_or(1.0, |piece| self.middle(at).growth(piece.speed_and_curvature(s)))
     }
 
     /// Length of the centre line in plan view between two places on the road `[m]`, from the file's own polynomials and within a nanometre per record where
@@ -209,11 +189,15 @@ impl<'a> Lane<'a> {
         if is_constant {
             let middle = self.middle(At::new(hold));
             return match piece.curve.even_curvature_up_to(to - piece.s) {
-                Some(_) => (to - from) * middle.growth(&piece, hold),
-                None => integral(&mut |s| middle.growth(&piece, s), from, to),
+                Some(_) => (to - from) * middle.growth(piece.speed_and_curvature(hold)),
+                None => integral(&mut |s| middle.growth(piece.speed_and_curvature(s)), from, to),
             };
         }
-        integral(&mut |s| self.middle(At { s, hold }).growth(&piece, s), from, to)
+        integral(
+            &mut |s| self.middle(At { s, hold }).growth(piece.speed_and_curvature(s)),
+            from,
+            to,
+        )
     }
 
     /// What holds of the profiles that shape the centre line from a place on, up to another at most.
@@ -227,15 +211,14 @@ impl<'a> Lane<'a> {
     }
 
     /// Where the centre line lies at a place.
-    fn middle(&self, at: At) -> Middle {
-        let edges = self.edge_slopes(at);
-        let center = Slope {
-            value: 0.5 * (edges.inner.value + edges.outer.value),
-            derivative: 0.5 * (edges.inner.derivative + edges.outer.derivative),
-        };
-        let (cos, sin) = self.road.roll(at);
-        let turned = if sin == 0.0 { 0.0 } else { self.road.superelevation_slope(at) };
-        Middle { center, cos, sin, turned }
+    fn middle(&self, at: At) -> Beside {
+        self.middle_between(at, &self.edge_slopes(at))
+    }
+
+    /// As [`Self::middle`], where the lane's edges there are known.
+    #[inline]
+    pub(crate) fn middle_between(&self, at: At, edges: &EdgeSlopes) -> Beside {
+        Beside::new(&self.road, at, self.road.roll(at), edges.center())
     }
 
     /// Time to travel the centre line between two places on the road at the speed limit of [`Lane::speed_limit_at`] `[s]`: 50 km/h where there is none

@@ -55,6 +55,7 @@ mod area;
 mod around;
 pub mod batch;
 mod begun;
+mod beside;
 mod by_row;
 mod class_set;
 mod cross_section;

@@ -66,6 +66,14 @@ pub(crate) struct GeometryPiece<'a> {
     pub(crate) curve: Curve<'a>,
 }
 
+impl GeometryPiece<'_> {
+    /// Metres per metre of s, which differ from 1 on cubics that are written with another length, and the curvature `[1/m]`, at s on the road.
+    #[inline]
+    pub(crate) fn speed_and_curvature(&self, s: f64) -> [f64; 2] {
+        self.curve.speed_and_curvature(s - self.s)
+    }
+}
+
 /// Number of the geometry that holds at s, among those of a road: the last that starts at or before it, else the first.
 // Never inlined: it is called in many places, and there once.
 #[inline(never)]

@@ -34,19 +34,13 @@ impl<'a> Lane<'a> {
     pub fn waypoint_at(&self, s: f64) -> Result<Waypoint, QueryError> {
         let (at, clamped) = self.place(s)?;
         let edges = self.edge_slopes(at);
-        let t = 0.5 * (edges.inner.value + edges.outer.value);
-        let drift = 0.5 * (edges.inner.derivative + edges.outer.derivative);
-        let Pose { position, heading, curvature, .. } = self.road().pose(at, t, 0.0)?;
-        // The lateral place in plan view is t(s)·cos σ(s); its change by s turns the line against the reference line, which
-        // itself passes 1 − κ·t·cos σ of its length there, at its own speed.
-        let (roll_cos, roll_sin) = self.road().roll(at);
-        let roll_slope = self.road().superelevation_slope(at);
-        let change = drift * roll_cos - t * roll_sin * roll_slope;
+        let center = self.middle_between(at, &edges);
+        let Pose { position, heading, curvature, .. } =
+            self.road().pose(at, center.t.value, 0.0)?;
         let piece = self.road().piece_at(at).ok_or(QueryError::Corrupt)?;
-        let [speed, _] = piece.curve.speed_and_curvature(at.s - piece.s);
-        let along = speed * (1.0 - curvature * t * roll_cos);
-        // Beyond the centre of curvature the line runs backwards; traffic does not.
-        let turn = mapd_geometry::atan2(if along < 0.0 { -change } else { change }, along.abs());
+        let [speed, _] = piece.speed_and_curvature(at.s);
+        let [ahead, left] = center.driven([speed, curvature]);
+        let turn = mapd_geometry::atan2(left, ahead);
         let back = if self.is_forward() { 0.0 } else { std::f64::consts::PI };
         let width = (edges.outer.value - edges.inner.value).abs();
         let heading = normalize_angle(heading + turn + back);

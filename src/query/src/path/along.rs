@@ -2,6 +2,7 @@
 
 use super::change::Shift;
 use super::{Path, Span};
+use crate::beside::{self, Beside};
 use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::lane::Lane;
@@ -73,34 +74,26 @@ struct Course {
     /// Cosine and sine of the superelevation, and the angle.
     roll: (f64, f64, f64),
     /// Metres ahead and to the left per metre of s, in plan view.
-    ahead: f64,
-    change: f64,
+    run: [f64; 2],
 }
 
 impl Course {
     fn new(lane: &Lane<'_>, at: At, shift: Option<&Shift>) -> Option<Self> {
         let road = lane.road();
         let piece = road.piece_at(at)?;
-        let u = at.s - piece.s;
-        let point = piece.curve.evaluate(u);
-        let [speed, _] = piece.curve.speed_and_curvature(u);
+        let point = piece.curve.evaluate(at.s - piece.s);
+        let [speed, _] = piece.speed_and_curvature(at.s);
         let edges = lane.edge_slopes(at);
         let shift = shift.map_or_else(Slope::default, |shift| shift.at(lane, at, &edges));
-        let t = 0.5 * (edges.inner.value + edges.outer.value) + shift.value;
-        let drift = 0.5 * (edges.inner.derivative + edges.outer.derivative) + shift.derivative;
-        // As for waypoints: the lateral place in plan view is t·cos σ.
+        let center = edges.center();
+        let t = Slope {
+            value: center.value + shift.value,
+            derivative: center.derivative + shift.derivative,
+        };
         let roll = road.roll_angle(at);
-        let (roll_cos, roll_sin, _) = roll;
-        let roll_slope = if roll_sin == 0.0 { 0.0 } else { road.superelevation_slope(at) };
-        let change = drift * roll_cos - t * roll_sin * roll_slope;
-        let ahead = speed * (1.0 - point.curvature * t * roll_cos);
-        // Beyond the centre of curvature the line runs backwards; traffic does not.
-        let (ahead, change) = if ahead < 0.0 { (-ahead, -change) } else { (ahead, change) };
-        Some(Self { point, t, edges, shift: shift.value, roll, ahead, change })
-    }
-
-    fn growth(&self) -> f64 {
-        (self.ahead * self.ahead + self.change * self.change).sqrt()
+        let line = Beside::new(&road, at, (roll.0, roll.1), t);
+        let run = line.driven([speed, point.curvature]);
+        Some(Self { point, t: t.value, edges, shift: shift.value, roll, run })
     }
 
     /// Relative to the local origin.
@@ -122,13 +115,14 @@ pub(super) fn center(
 ) -> Result<Center, QueryError> {
     let own = Course::new(lane, at, shift).ok_or(QueryError::Corrupt)?;
     let z = lane.road().elevation(at) + own.t * own.roll.1;
-    let turn = mapd_geometry::atan2(own.change, own.ahead);
+    let [ahead, left] = own.run;
+    let turn = mapd_geometry::atan2(left, ahead);
     let back = if forward { 0.0 } else { PI };
     let superelevation = own.roll.2;
     Ok(Center {
         position: (own.place() + lane.map.origin()).extend(z),
         heading: normalize_angle(normalize_angle(own.point.heading) + turn + back),
-        growth: own.growth(),
+        growth: beside::length(own.run),
         edges: own.edges,
         shift: own.shift,
         superelevation: if forward { superelevation } else { -superelevation },
@@ -143,9 +137,10 @@ pub(super) fn tangent(
     shift: Option<&Shift>,
 ) -> Option<[DVec2; 2]> {
     let own = Course::new(lane, at, shift)?;
-    let ahead = DVec2::new(own.point.cos, own.point.sin);
-    let growth = if forward { own.growth() } else { -own.growth() };
-    Some([own.place(), (ahead * own.ahead + ahead.perp() * own.change) / growth])
+    let along = DVec2::new(own.point.cos, own.point.sin);
+    let ([ahead, left], growth) = (own.run, beside::length(own.run));
+    let growth = if forward { growth } else { -growth };
+    Some([own.place(), (along * ahead + along.perp() * left) / growth])
 }
 
 impl Span {
