@@ -19,11 +19,12 @@ pub(super) struct Line<'a> {
     points: LineReader<'a>,
     /// Inertial position that places count from `[m]`.
     origin: DVec3,
-    /// How many points the last search passed: the next one mostly ends beside them.
-    passed: usize,
+    /// Where the last search ended, at first at the start: the next one mostly ends there or a point before.
+    last: Around,
 }
 
 /// Points beside a place.
+#[derive(Clone, Copy)]
 pub(super) struct Around {
     /// The last one whose s is less.
     pub(super) before: Option<Point>,
@@ -45,21 +46,20 @@ impl<'a> LaneLines<'a> {
     /// Lines of a lane by its row; none where there is no such lane.
     pub(super) fn of(map: Map<'a>, lane: u32) -> Option<Self> {
         let of_map = map.lane_by_row(lane)?;
-        // A border is stored once, with the lane on its inner side; rows run from left to right.
-        let [left, right] = match of_map.number() {
-            ..0 => [lane.saturating_sub(1), lane],
-            0 => [lane; 2],
-            1.. => [lane, lane.saturating_add(1)],
-        };
-        let border = |lane: u32| Some(Line::new(map, map.lane_by_row(lane)?.border()));
-        let borders = [border(left)?, border(right)?];
-        Some(Self { lane, center: Line::new(map, of_map.center_line()), borders })
+        let line = |points| Line::new(map, points);
+        let left = line(of_map.left_bound_of_reference_line());
+        let right = line(of_map.right_bound_of_reference_line());
+        Some(Self { lane, center: line(of_map.center_line()), borders: [left, right] })
     }
 }
 
 impl<'a> Line<'a> {
     fn new(map: Map<'a>, points: Polyline<'a>) -> Self {
-        Self { points: points.reader(), origin: map.local_origin().extend(0.0), passed: 0 }
+        let last = Around { before: None, next: 0, here: None };
+        let mut line =
+            Self { points: points.reader(), origin: map.local_origin().extend(0.0), last };
+        line.last.here = line.point(0);
+        line
     }
 
     /// The point of this number, from 0.
@@ -69,23 +69,29 @@ impl<'a> Line<'a> {
         Some(Point { s: point.s, place: point.position - self.origin })
     }
 
+    /// The point before that of a number.
+    #[inline]
+    fn point_before(&self, next: usize) -> Option<Point> {
+        next.checked_sub(1).and_then(|i| self.point(i))
+    }
+
     /// Where s on the road `[m]` lies among the points.
     #[inline]
     pub(super) fn around(&self, s: f64) -> Around {
-        let around = |next: usize| {
-            let before = next.checked_sub(1).and_then(|i| self.point(i));
-            Around { before, next, here: self.point(next) }
-        };
-        let is_there = |around: &Around| {
-            around.before.is_none_or(|p| p.s < s) && around.here.is_none_or(|p| p.s >= s)
-        };
-        let near = [Some(self.passed), self.passed.checked_sub(1)].into_iter().flatten();
-        let found = near.map(around).find(is_there);
-        found.unwrap_or_else(|| around(self.points.line.points_before(s)))
+        let mut around = self.last;
+        if around.before.is_some_and(|p| p.s >= s) {
+            let next = around.next - 1;
+            around = Around { before: self.point_before(next), next, here: around.before };
+        }
+        if around.before.is_none_or(|p| p.s < s) && around.here.is_none_or(|p| p.s >= s) {
+            return around;
+        }
+        let next = self.points.line.points_before(s);
+        Around { before: self.point_before(next), next, here: self.point(next) }
     }
 
     /// Remembers where a search ended.
-    pub(super) fn pass(&mut self, points: usize) {
-        self.passed = points;
+    pub(super) fn pass(&mut self, last: Around) {
+        self.last = last;
     }
 }

@@ -141,7 +141,7 @@ fn extent(borders: &mut [Line<'_>; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Exte
         if before.is_some_and(|p| p.s < cuts[1]) {
             cut(before, here, cuts[1]).into_iter().for_each(&mut visit);
         }
-        border.pass(next);
+        border.pass(Around { before, next, here });
     }
     extent
 }
