@@ -25,10 +25,22 @@ const HEIGHT_UNITS: f64 = 1.0 / HEIGHT_UNIT as f64;
 
 /// A segment of a centre line. All of them are ordered at once, so that there is no more of each than its name; what is
 /// stored of it is computed leaf by leaf.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug)]
 struct LaneSegment {
     lane: u32,
     segment: u16,
+}
+
+impl LaneSegment {
+    /// One number for both, by which lanes come one behind the other.
+    fn number(self) -> u64 {
+        u64::from(self.lane) << u16::BITS | u64::from(self.segment)
+    }
+
+    /// The segment of such a number.
+    fn of(number: u64) -> Self {
+        Self { lane: (number >> u16::BITS) as u32, segment: number as u16 }
+    }
 }
 
 /// A segment of a centre line as its leaf has it, with the area it stands for, relative to the local origin.
@@ -66,7 +78,8 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
     }
     u32::try_from(keys.len()).map_err(|_| TooLarge::new("index_leaves"))?;
     let places = ordered(keys);
-    let leaves = places.par_chunks(WIDTH).map(|places| leaf(map, places, options));
+    let leaf = |room: &mut _, places| leaf(map, places, options, room);
+    let leaves = places.par_chunks(WIDTH).map_init(Room::default, leaf);
     let (leaves, boxes): (Vec<_>, Vec<_>) = leaves.unzip();
     let (levels, nodes) = stack(boxes, node);
     rows.index_levels = levels.into();
@@ -76,7 +89,7 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
 }
 
 /// Adds the segments of a lane that have an area, to be ordered by their middles. Both sides of a jump have none between them.
-fn add_places(map: Map<'_>, lane: u32, keys: &mut Vec<Key<LaneSegment>>) {
+fn add_places(map: Map<'_>, lane: u32, keys: &mut Vec<Key>) {
     let row = map.lane_by_row(lane).filter(|lane| !lane.is_temporary());
     let Some(line) = row.map(|lane| lane.center_line()) else { return };
     let origin = map.local_origin();
@@ -85,7 +98,7 @@ fn add_places(map: Map<'_>, lane: u32, keys: &mut Vec<Key<LaneSegment>>) {
         let here = (position.truncate() - origin, s);
         if let Some((place, at)) = before.replace(here) {
             if at != s {
-                keys.push(Key::new(place + here.0, LaneSegment { lane, segment }));
+                keys.push(Key::new(place + here.0, LaneSegment { lane, segment }.number()));
             }
             segment += 1;
         }
@@ -218,13 +231,27 @@ fn ends_in_steps(frame: &LeafFrame, ends: [DVec2; 2]) -> [[u16; 2]; 2] {
     [start, end]
 }
 
+/// Room to work in, for one leaf after the other.
+#[derive(Default)]
+struct Room<'a> {
+    lanes: Vec<LaneLines<'a>>,
+    entries: Vec<Entry>,
+}
+
 /// A leaf and the box of all areas in it. How far an area reaches is told from its segment as it is written, so that
 /// writing it in steps loses nothing.
-fn leaf(map: Map<'_>, places: &[LaneSegment], options: &CompileOptions) -> (IndexLeafRow, Bounds) {
+fn leaf<'a>(
+    map: Map<'a>,
+    places: &[u64],
+    options: &CompileOptions,
+    Room { lanes, entries }: &mut Room<'a>,
+) -> (IndexLeafRow, Bounds) {
+    let places = places.iter().copied().map(LaneSegment::of);
+    lanes.clear();
+    entries.clear();
     let mut segments = [[Point::default(); 2]; WIDTH];
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-    let mut lanes: Vec<LaneLines<'_>> = Vec::with_capacity(WIDTH);
-    for (segment, place) in segments.iter_mut().zip(places) {
+    for (segment, place) in segments.iter_mut().zip(places.clone()) {
         // Segments of one lane stand behind each other.
         if lanes.last().is_none_or(|lines| lines.lane != place.lane)
             && let Some(lines) = LaneLines::of(map, place.lane)
@@ -256,8 +283,7 @@ fn leaf(map: Map<'_>, places: &[LaneSegment], options: &CompileOptions) -> (Inde
         z_high: [0; WIDTH],
     };
     let margin = 2.0 * options.bound_tolerance + REACH_MARGIN;
-    let mut entries = Vec::with_capacity(WIDTH);
-    for (k, (place, ends)) in places.iter().zip(segments).enumerate().take(WIDTH) {
+    for (k, (place, ends)) in places.zip(segments).enumerate().take(WIDTH) {
         let [start, end] = ends_in_steps(&frame, ends.map(|end| end.place.truncate()));
         ([row.start_x[k], row.start_y[k]], [row.end_x[k], row.end_y[k]]) = (start, end);
         let written = [start, end].map(|end| frame.place(end));
@@ -265,7 +291,7 @@ fn leaf(map: Map<'_>, places: &[LaneSegment], options: &CompileOptions) -> (Inde
         let cuts = ends.map(|end| end.s);
         let extent = lines.map_or(Extent::NONE, |lines| extent(&mut lines.borders, written, cuts));
         let [a, b] = written;
-        entries.push(Entry { a, b, extent: extent.widened(margin), place: *place });
+        entries.push(Entry { a, b, extent: extent.widened(margin), place });
     }
     let lowest = entries.iter().map(|e| e.extent.z[0]).fold(f64::INFINITY, f64::min);
     row.z = round_down(lowest);

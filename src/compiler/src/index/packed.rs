@@ -32,7 +32,7 @@ pub(crate) fn pack(entries: Vec<Entry>) -> Packed {
     if entries.is_empty() {
         return Packed::default();
     }
-    let number = |(number, e): (usize, &Entry)| Key::new(e.low + e.high, number as u32);
+    let number = |(number, e): (usize, &Entry)| Key::new(e.low + e.high, number as u64);
     let numbers = ordered(entries.par_iter().enumerate().map(number).collect());
     let entries: Vec<Entry> = numbers.iter().map(|number| entries[*number as usize]).collect();
     let boxes = entries.iter().map(|e| (e.low, e.high)).collect();
@@ -42,17 +42,22 @@ pub(crate) fn pack(entries: Vec<Entry>) -> Packed {
 
 /// An entry while entries are ordered.
 #[derive(Clone, Copy)]
-pub(crate) struct Key<T> {
+pub(crate) struct Key {
     /// Twice the middle, as numbers that compare as the coordinates do.
     middle: [i64; 2],
-    /// The entry, which breaks ties.
-    entry: T,
+    /// Number of the entry, which breaks ties.
+    entry: u64,
 }
 
-impl<T> Key<T> {
+impl Key {
     /// An entry by twice its middle.
-    pub(crate) fn new(middle: DVec2, entry: T) -> Self {
+    pub(crate) fn new(middle: DVec2, entry: u64) -> Self {
         Self { middle: middle.to_array().map(comparable), entry }
+    }
+
+    /// What entries are compared by along an axis: one number, so that no comparison takes a branch.
+    fn along(&self, axis: usize) -> i128 {
+        i128::from(self.middle[axis]) << u64::BITS | i128::from(self.entry)
     }
 }
 
@@ -68,14 +73,14 @@ fn coordinate(comparable: i64) -> f64 {
 }
 
 /// Entries so ordered that consecutive sixteens lie close together, and sixteens of sixteens as well. No two are equal.
-pub(crate) fn ordered<T: Copy + Ord + Send + Sync>(mut keys: Vec<Key<T>>) -> Vec<T> {
+pub(crate) fn ordered(mut keys: Vec<Key>) -> Vec<u64> {
     order(&mut keys);
     keys.par_iter().map(|key| key.entry).collect()
 }
 
 /// Halves along the longer side at multiples of whole subtrees. The order is total, so that the result does not depend on
 /// how it is sorted.
-fn order<T: Copy + Ord + Send>(keys: &mut [Key<T>]) {
+fn order(keys: &mut [Key]) {
     let mut unit = WIDTH;
     while unit * WIDTH < keys.len() {
         unit *= WIDTH;
@@ -95,7 +100,7 @@ fn order<T: Copy + Ord + Send>(keys: &mut [Key<T>]) {
     }
     let spread = |axis: usize| coordinate(high[axis]) - coordinate(low[axis]);
     let axis = usize::from(spread(1) > spread(0));
-    keys.select_nth_unstable_by_key(middle, |key| (key.middle[axis], key.entry));
+    keys.select_nth_unstable_by_key(middle, |key| key.along(axis));
     let (left, right) = keys.split_at_mut(middle);
     if left.len() + right.len() < TOGETHER {
         order(left);
