@@ -95,10 +95,11 @@ impl RightOfWay {
 
 fn movement(lane: &Lane<'_>) -> Movement {
     let start = lane.movement_start();
+    let heading = start.driving_heading(false);
     let entry = start.entries().next().map(|lane| (lane.road().road_id(), lane.is_forward()));
     let mut lights: Vec<LightGroup> = Vec::new();
     let mut sign = EntrySign::None;
-    for entry in lane.entry_signals() {
+    for entry in lane.entry_signals_from(start) {
         let one = entry.signal;
         let signal = one.signal();
         sign = sign.and(EntrySign::of(signal.class()));
@@ -116,8 +117,8 @@ fn movement(lane: &Lane<'_>) -> Movement {
         entry,
         connecting: lane.road().road_id(),
         junction: lane.road().junction().map(|junction| junction.junction_id().row()),
-        heading: start.driving_heading(false),
-        turn: lane.turn(),
+        heading,
+        turn: lane.turn_from(heading),
         across,
         lights,
         sign,

@@ -247,7 +247,12 @@ impl<'a> Lane<'a> {
 
     /// Where the movement through this lane of a junction leads.
     pub fn turn(&self) -> Turn {
-        let from = self.movement_start().driving_heading(false);
+        self.turn_from(self.movement_start().driving_heading(false))
+    }
+
+    /// As [`Lane::turn`], where the heading with which the movement begins is known `[rad]`.
+    #[doc(hidden)]
+    pub fn turn_from(&self, from: f64) -> Turn {
         let to = self.pieces(false).last().unwrap_or(*self).driving_heading(true);
         let turned = mapd_geometry::normalize_angle(to - from);
         match turned.abs() {
@@ -322,9 +327,18 @@ impl<'a> Lane<'a> {
     /// Signals at the entry of the movement through this lane of a junction: those of its first lane, then those of the lanes
     /// that lead in, up to 30 m before. Lights with arrows only where they are for the movement.
     pub fn entry_signals(&self) -> impl Iterator<Item = EntrySignal<'a>> + use<'a> {
-        let (lane, start) = (*self, self.movement_start());
+        self.entry_signals_from(self.movement_start())
+    }
+
+    /// As [`Lane::entry_signals`], where the movement's first lane is known.
+    #[doc(hidden)]
+    pub fn entry_signals_from(
+        &self,
+        start: Lane<'a>,
+    ) -> impl Iterator<Item = EntrySignal<'a>> + use<'a> {
+        let lane = *self;
         // Only lights ask for it.
-        let turn = OnceCell::new();
+        let of_lane = OnceCell::new();
         let forward = start.is_forward();
         let own = start.signals().filter(move |one| one.is_for(forward)).map(move |one| {
             let section = start.section();
@@ -344,9 +358,10 @@ impl<'a> Lane<'a> {
         own.chain(leading.filter(|one| one.distance <= ENTRY_REACH)).filter(move |one| {
             let signal = one.signal.signal();
             !signal.is_invalidated()
-                && signal
-                    .light()
-                    .is_none_or(|light| light.governs(*turn.get_or_init(|| lane.turn())))
+                && signal.light().is_none_or(|light| {
+                    let turn = || lane.turn_from(start.driving_heading(false));
+                    light.governs(*of_lane.get_or_init(turn))
+                })
         })
     }
 
