@@ -100,7 +100,8 @@ impl<'a> SectionCutter<'a> {
     }
 
     /// As [`Road::cross_section`].
-    #[inline]
+    // Always: what it yields is written where the caller keeps it.
+    #[inline(always)]
     pub fn cut(&mut self, s: f64) -> Option<CrossSection> {
         let s = self.stretch_at(s)?;
         let frame = self.frame.as_ref()?;
@@ -118,9 +119,16 @@ impl<'a> SectionCutter<'a> {
         }
         let s = clamp(s, 0.0, self.end);
         if !self.frame.as_ref().is_some_and(|frame| frame.held.contains(s)) {
-            self.frame = Some(LineStretch::at(&self.road, s)?);
+            self.find_stretch(s)?;
         }
         Some(s)
+    }
+
+    // Apart, so that the many places where the same holds save no registers for it.
+    #[inline(never)]
+    fn find_stretch(&mut self, s: f64) -> Option<()> {
+        self.frame = Some(LineStretch::at(&self.road, s)?);
+        Some(())
     }
 
     /// Edges at s of all lanes, from left to right, as [`crate::Lane::edges_at`] has them one by one. `edges` has a place
@@ -171,10 +179,23 @@ impl<'a> SectionCutter<'a> {
     #[inline]
     fn widths(&mut self, s: f64) -> Option<&Widths> {
         let at = At::within(s, self.section.s_start(), self.section.s_end());
-        if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(at.hold)) {
-            self.lanes = Some(Widths::at(&self.road, &self.section, at.hold)?);
+        self.widths_held(at.hold)
+    }
+
+    /// What the lanes are made of where this holds.
+    #[inline]
+    fn widths_held(&mut self, hold: f64) -> Option<&Widths> {
+        if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(hold)) {
+            self.find_widths(hold)?;
         }
         self.lanes.as_ref()
+    }
+
+    // Apart, as with the reference line.
+    #[inline(never)]
+    fn find_widths(&mut self, hold: f64) -> Option<()> {
+        self.lanes = Some(Widths::at(&self.road, &self.section, hold)?);
+        Some(())
     }
 }
 
@@ -217,10 +238,7 @@ impl SectionCutter<'_> {
     }
 
     fn lane_is_straight(&mut self, lane: usize, from: f64, to: f64) -> Option<bool> {
-        if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(from)) {
-            self.lanes = Some(Widths::at(&self.road, &self.section, from)?);
-        }
-        let widths = self.lanes.as_ref()?;
+        let widths = self.widths_held(from)?;
         let (inner, _) = widths.outwards_to(lane)?;
         let is_even = |width: &Width| {
             let is_open = |s: f64| width.is_border || width.record.value(s) >= 0.0;

@@ -21,14 +21,14 @@ struct Cut {
 
 /// Memory of cross-sections, for one section after the other.
 pub(crate) struct Memory {
-    cuts: Vec<Cut>,
+    cuts: Box<[Cut; KEPT]>,
     /// Sections so far.
     sections: u64,
 }
 
 impl Memory {
     pub(crate) fn new() -> Self {
-        Self { cuts: vec![Cut::default(); KEPT], sections: 0 }
+        Self { cuts: Box::new([Cut::default(); KEPT]), sections: 0 }
     }
 }
 
@@ -55,24 +55,21 @@ impl<'m, 'a> Cuts<'m, 'a> {
         t: impl Fn(LaneEdges) -> f64,
     ) -> Option<DVec3> {
         let bits = s.to_bits();
-        let slot = (bits.wrapping_mul(SPREAD) >> (64 - KEPT.trailing_zeros())) as usize;
-        let cut = self.memory.cuts.get(slot)?;
-        let frame = match (cut.s, cut.section) == (bits, self.memory.sections) {
-            true => cut.frame,
-            false => self.cut(slot, s)?,
-        };
-        Some(frame.place(t(self.cutter.lane_edges(lane, s)?)))
+        let slot = (bits.wrapping_mul(SPREAD) >> (u64::BITS - KEPT.trailing_zeros())) as usize;
+        let cut = &self.memory.cuts[slot];
+        if (cut.s, cut.section) != (bits, self.memory.sections) {
+            self.cut(slot, s)?;
+        }
+        let t = t(self.cutter.lane_edges(lane, s)?);
+        Some(self.memory.cuts[slot].frame.place(t))
     }
 
-    /// The cross-section at s, which is kept.
+    /// Keeps the cross-section at s.
     #[inline(never)]
-    fn cut(&mut self, slot: usize, s: f64) -> Option<CrossSection> {
-        let cut = self.memory.cuts.get_mut(slot)?;
-        // Marked first: what fails is not found again.
-        cut.section = 0;
-        cut.frame = self.cutter.cut(s)?;
-        (cut.s, cut.section) = (s.to_bits(), self.memory.sections);
-        Some(cut.frame)
+    fn cut(&mut self, slot: usize, s: f64) -> Option<()> {
+        let frame = self.cutter.cut(s)?;
+        self.memory.cuts[slot] = Cut { s: s.to_bits(), section: self.memory.sections, frame };
+        Some(())
     }
 
     /// Whether a lane's edges are straight from one s up to another.
