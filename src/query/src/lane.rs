@@ -177,17 +177,21 @@ impl<'a> Lane<'a> {
     /// Every s on the road at which a record begins that shapes this lane in space, in no order, repeated ones included:
     /// between two of them the lane is smooth.
     pub fn shape_breaks(&self) -> impl Iterator<Item = f64> + use<'a> {
+        self.width_breaks()
+            .chain(self.road.shape_breaks())
+            .chain(self.road.temporary_lane_offsets().iter().map(|record| record.s()))
+    }
+
+    /// Those of [`Self::shape_breaks`] that are not of the whole road: for the compiler.
+    #[doc(hidden)]
+    pub fn width_breaks(&self) -> impl Iterator<Item = f64> + use<'a> {
         let cubics = self.map.tables().cubics;
         let section = self.section.row.lanes();
         let lanes = section.of(self.map.tables().lanes);
         let own = self.number.wrapping_sub(section.first) as usize;
         let center = lanes.binary_search_by(|lane| 0.cmp(&lane.number())).unwrap_or(own);
         let inner = lanes.get(own.min(center)..=own.max(center)).unwrap_or(&[]);
-        inner
-            .iter()
-            .flat_map(move |lane| lane.widths().of(cubics).iter().map(|record| record.s()))
-            .chain(self.road.shape_breaks())
-            .chain(self.road.temporary_lane_offsets().iter().map(|record| record.s()))
+        inner.iter().flat_map(move |lane| lane.widths().of(cubics).iter().map(|record| record.s()))
     }
 
     /// Width at s `[m]`, never negative. As [`Lane::edges_at`] otherwise.

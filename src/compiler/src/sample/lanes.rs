@@ -8,7 +8,7 @@ use crate::options::CompileOptions;
 use glam::DVec3;
 use mapd_archive::{Archive, Header, LaneRow, PointCode, Rows, SectionRow};
 use mapd_query::compiling::ByRow as _;
-use mapd_query::{Lane, LaneEdges, Map};
+use mapd_query::{Lane, LaneEdges, LaneSection, Map};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
@@ -171,6 +171,7 @@ fn lines(
         let cuts = section.and_then(|section| Some((section, Cuts::new(section, memory)?)));
         let start = section.map_or(0.0, |section| section.s_start());
         if let Some((section, mut cuts)) = cuts {
+            line_breaks(&section, &mut sampled.line_breaks);
             let unfit = lines.unfit.len();
             for (at, lane) in section.lanes().enumerate() {
                 if lines.unfit.len() > unfit || allowance.is_exceeded() {
@@ -219,6 +220,8 @@ struct Sampled {
     stations: Vec<f32>,
     /// Number of each sample's station.
     ranks: Vec<u32>,
+    /// Where records begin that shape all lanes, and where those that shape one.
+    line_breaks: Vec<f64>,
     breaks: Vec<f64>,
 }
 
@@ -269,7 +272,7 @@ fn line(
     sampled: &mut Sampled,
     lines: &mut Lines,
 ) -> Result<(), Fault> {
-    breaks(lane, &mut sampled.breaks);
+    breaks(lane, &sampled.line_breaks, &mut sampled.breaks);
     let row = lane.lane_id().row();
     let before = sampled.samples.len();
     if lane.number() != 0 {
@@ -360,17 +363,30 @@ impl<T: Fn(LaneEdges) -> f64> Curve for LaneCurve<'_, '_, '_, T> {
     }
 }
 
-/// Every s of the lane's section at which some record that shapes it begins, with both ends.
-fn breaks(lane: &Lane<'_>, breaks: &mut Vec<f64>) {
-    let section = lane.section();
+/// Both ends of a section, and every s between them at which a record begins that shapes all its lanes; ascending.
+fn line_breaks(section: &LaneSection<'_>, breaks: &mut Vec<f64>) {
     let (start, end) = (section.s_start(), section.s_end());
     breaks.clear();
-    breaks.extend(lane.shape_breaks().filter(|s| *s > start && *s < end));
-    breaks.push(start);
-    breaks.push(end);
+    breaks.extend([start, end]);
+    // What shapes the centre lane shapes them all.
+    let all = section.lane(0).into_iter().flat_map(|lane| lane.shape_breaks());
+    breaks.extend(all.filter(|s| *s > start && *s < end));
     breaks.sort_by(f64::total_cmp);
     breaks.dedup();
     if breaks.len() == 1 {
         breaks.push(end);
+    }
+}
+
+/// As [`line_breaks`], which `of_all` has, with the records that shape this lane.
+fn breaks(lane: &Lane<'_>, of_all: &[f64], breaks: &mut Vec<f64>) {
+    let section = lane.section();
+    let (start, end) = (section.s_start(), section.s_end());
+    breaks.clear();
+    breaks.extend_from_slice(of_all);
+    breaks.extend(lane.width_breaks().filter(|s| *s > start && *s < end));
+    if breaks.len() > of_all.len() {
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
     }
 }
