@@ -42,10 +42,12 @@ fn inverse_power(exponent: u8) -> f64 {
     f64::from_bits((u64::from(BIAS) + 1023 - u64::from(exponent)) << 52)
 }
 
-/// Bits that numbers up to this one need.
+/// Bits that numbers up to this one need, once it is rounded.
 fn bits_for(most: f64) -> u32 {
-    // Casts saturate.
-    u64::BITS - (most.round() as u64).leading_zeros()
+    // Casts saturate; a call of the C library that rounds takes several times as long.
+    let down = most as u64;
+    let nearest = down.saturating_add(u64::from(most - down as f64 >= 0.5));
+    u64::BITS - nearest.leading_zeros()
 }
 
 #[inline]
@@ -63,7 +65,8 @@ impl PointCode {
             return None;
         }
         let bits = |[xy, z]: [i32; 2]| {
-            let along = |reach: f64, exponent: i32| bits_for(reach / power(biased(exponent)));
+            let along =
+                |reach: f64, exponent: i32| bits_for(reach * inverse_power(biased(exponent)));
             [for_station, along(reach[0], xy), along(reach[1], xy), along(reach[2], z)]
         };
         let fits = |exponents: [i32; 2], limit: u32| {
@@ -326,7 +329,9 @@ mod tests {
         let halves = [0.5f64, 1.5, 2.5, 4_503_599_627_370_495.5];
         let halves = halves.into_iter().flat_map(|half| [half.next_down(), half, half.next_up()]);
         for value in odd.into_iter().chain(near).chain(halves) {
-            assert_eq!(rounded(value), (value.round() as u64).min(i64::MAX as u64), "{value}");
+            let expected = value.round() as u64;
+            assert_eq!(rounded(value), expected.min(i64::MAX as u64), "{value}");
+            assert_eq!(bits_for(value), u64::BITS - expected.leading_zeros(), "{value}");
         }
     }
 
