@@ -144,7 +144,13 @@ pub struct LineReader<'a> {
     reader: PointReader,
 }
 
-impl LineReader<'_> {
+impl<'a> LineReader<'a> {
+    /// That of another line of the same section.
+    #[inline]
+    pub fn beside(&self, line: Polyline<'a>) -> Self {
+        Self { line, reader: self.reader }
+    }
+
     /// A point as [`Polyline::points`] has it; none where the line has no such point.
     #[inline]
     pub fn point(&self, i: usize) -> Option<LinePoint> {

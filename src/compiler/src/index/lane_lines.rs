@@ -3,7 +3,6 @@
 use glam::DVec3;
 use mapd_query::Map;
 use mapd_query::compiling::{ByRow as _, LineReader};
-use mapd_query::roads::Polyline;
 
 /// A point of a line.
 #[derive(Clone, Copy, Default)]
@@ -15,10 +14,16 @@ pub(super) struct Point {
 }
 
 /// Points of a line, in ascending s.
+#[derive(Clone, Copy)]
 pub(super) struct Line<'a> {
     points: LineReader<'a>,
     /// Inertial position that places count from `[m]`.
     origin: DVec3,
+}
+
+/// A border of a lane.
+pub(super) struct Border<'a> {
+    line: Line<'a>,
     /// Where the last search ended, at first at the start: the next one mostly ends there or a point before.
     last: Around,
 }
@@ -33,35 +38,19 @@ pub(super) struct Around {
     pub(super) here: Option<Point>,
 }
 
-/// Lines of one lane.
-pub(super) struct LaneLines<'a> {
-    /// The lane's row.
-    pub(super) lane: u32,
-    pub(super) center: Line<'a>,
-    /// The left one first.
-    pub(super) borders: [Line<'a>; 2],
+/// The centre line of a lane by its row, and its borders, the left one first; none where there is no such lane.
+pub(super) fn lines_of(map: Map<'_>, lane: u32) -> Option<(Line<'_>, [Border<'_>; 2])> {
+    let lane = map.lane_by_row(lane)?;
+    let (points, origin) = (lane.center_line().reader(), map.local_origin().extend(0.0));
+    let center = Line { points, origin };
+    let borders = [lane.left_bound_of_reference_line(), lane.right_bound_of_reference_line()];
+    Some((
+        center,
+        borders.map(|border| Border::new(Line { points: points.beside(border), origin })),
+    ))
 }
 
-impl<'a> LaneLines<'a> {
-    /// Lines of a lane by its row; none where there is no such lane.
-    pub(super) fn of(map: Map<'a>, lane: u32) -> Option<Self> {
-        let of_map = map.lane_by_row(lane)?;
-        let line = |points| Line::new(map, points);
-        let left = line(of_map.left_bound_of_reference_line());
-        let right = line(of_map.right_bound_of_reference_line());
-        Some(Self { lane, center: line(of_map.center_line()), borders: [left, right] })
-    }
-}
-
-impl<'a> Line<'a> {
-    fn new(map: Map<'a>, points: Polyline<'a>) -> Self {
-        let last = Around { before: None, next: 0, here: None };
-        let mut line =
-            Self { points: points.reader(), origin: map.local_origin().extend(0.0), last };
-        line.last.here = line.point(0);
-        line
-    }
-
+impl Line<'_> {
     /// The point of this number, from 0.
     #[inline]
     pub(super) fn point(&self, i: usize) -> Option<Point> {
@@ -74,20 +63,33 @@ impl<'a> Line<'a> {
     fn point_before(&self, next: usize) -> Option<Point> {
         next.checked_sub(1).and_then(|i| self.point(i))
     }
+}
+
+impl<'a> Border<'a> {
+    #[inline]
+    fn new(line: Line<'a>) -> Self {
+        Self { line, last: Around { before: None, next: 0, here: line.point(0) } }
+    }
+
+    /// The point of this number, from 0.
+    #[inline]
+    pub(super) fn point(&self, i: usize) -> Option<Point> {
+        self.line.point(i)
+    }
 
     /// Where s on the road `[m]` lies among the points.
     #[inline]
     pub(super) fn around(&self, s: f64) -> Around {
-        let mut around = self.last;
+        let (line, mut around) = (&self.line, self.last);
         if around.before.is_some_and(|p| p.s >= s) {
             let next = around.next - 1;
-            around = Around { before: self.point_before(next), next, here: around.before };
+            around = Around { before: line.point_before(next), next, here: around.before };
         }
         if around.before.is_none_or(|p| p.s < s) && around.here.is_none_or(|p| p.s >= s) {
             return around;
         }
-        let next = self.points.line.points_before(s);
-        Around { before: self.point_before(next), next, here: self.point(next) }
+        let next = line.points.line.points_before(s);
+        Around { before: line.point_before(next), next, here: line.point(next) }
     }
 
     /// Remembers where a search ended.

@@ -1,6 +1,6 @@
 //! Builds the packed spatial index over the lanes' centre lines.
 
-use super::lane_lines::{Around, LaneLines, Line, Point};
+use super::lane_lines::{Around, Border, Line, Point, lines_of};
 use super::packed::{Key, ROUNDING, ordered, round_up, stack};
 use crate::findings::TooLarge;
 use crate::options::CompileOptions;
@@ -125,7 +125,7 @@ impl Extent {
 
 /// The extent of a lane's area between two s. The area lies in the hull of both borders' stretches, and what is asked of
 /// it (how far to the sides, beyond the ends, up and down) is greatest at a point of theirs, or where they are cut.
-fn extent(borders: &mut [Line<'_>; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
+fn extent(borders: &mut [Border<'_>; 2], ends: [DVec2; 2], cuts: [f64; 2]) -> Extent {
     let along = ends[1] - ends[0];
     let length = along.length();
     let mut extent = Extent::NONE;
@@ -234,7 +234,8 @@ fn ends_in_steps(frame: &LeafFrame, ends: [DVec2; 2]) -> [[u16; 2]; 2] {
 /// Room to work in, for one leaf after the other.
 #[derive(Default)]
 struct Room<'a> {
-    lanes: Vec<LaneLines<'a>>,
+    /// Lanes, by row, with their borders.
+    lanes: Vec<(u32, [Border<'a>; 2])>,
     entries: Vec<Entry>,
 }
 
@@ -251,15 +252,16 @@ fn leaf<'a>(
     entries.clear();
     let mut segments = [[Point::default(); 2]; WIDTH];
     let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    let mut line = None;
     for (segment, place) in segments.iter_mut().zip(places.clone()) {
         // Segments of one lane stand behind each other.
-        if lanes.last().is_none_or(|lines| lines.lane != place.lane)
-            && let Some(lines) = LaneLines::of(map, place.lane)
+        if lanes.last().is_none_or(|(lane, _)| *lane != place.lane)
+            && let Some((center, borders)) = lines_of(map, place.lane)
         {
-            lanes.push(lines);
+            lanes.push((place.lane, borders));
+            line = Some(center);
         }
-        let lines = lanes.last().filter(|lines| lines.lane == place.lane);
-        let ends = lines.map_or_else(Default::default, |lines| ends(&lines.center, place.segment));
+        let ends = line.map_or_else(Default::default, |line| ends(&line, place.segment));
         for end in ends.map(|end| end.place.truncate()) {
             (low, high) = (low.min(end), high.max(end));
         }
@@ -287,9 +289,9 @@ fn leaf<'a>(
         let [start, end] = ends_in_steps(&frame, ends.map(|end| end.place.truncate()));
         ([row.start_x[k], row.start_y[k]], [row.end_x[k], row.end_y[k]]) = (start, end);
         let written = [start, end].map(|end| frame.place(end));
-        let lines = lanes.iter_mut().find(|lines| lines.lane == place.lane);
+        let borders = lanes.iter_mut().find(|(lane, _)| *lane == place.lane);
         let cuts = ends.map(|end| end.s);
-        let extent = lines.map_or(Extent::NONE, |lines| extent(&mut lines.borders, written, cuts));
+        let extent = borders.map_or(Extent::NONE, |(_, both)| extent(both, written, cuts));
         let [a, b] = written;
         entries.push(Entry { a, b, extent: extent.widened(margin), place });
     }
