@@ -72,8 +72,9 @@ impl Permissions {
 
     /// Where a border's permission changes, from the section's start.
     pub(crate) fn mark_breaks(&self, lane: u32) -> impl Iterator<Item = f64> + '_ {
-        let pairs = self.marks(lane).windows(2);
-        let first = self.marks(lane).first().filter(|m| m.change != LaneChange::Both);
+        let marks = self.marks(lane);
+        let pairs = marks.windows(2);
+        let first = marks.first().filter(|m| m.change != LaneChange::Both);
         first
             .map(|mark| mark.s)
             .into_iter()
