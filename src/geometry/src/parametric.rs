@@ -89,6 +89,7 @@ impl Parametric<'_> {
     }
 
     /// |dr/du| and the curvature.
+    #[inline]
     pub(crate) fn speed_and_curvature(&self, u: f64) -> [f64; 2] {
         let (piece, t) = self.pieces.find(u);
         let (p, slope) = value_and_derivative(piece, t);

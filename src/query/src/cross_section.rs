@@ -43,7 +43,8 @@ impl Road<'_> {
             return None;
         }
         let at = At::new(clamp(s, 0.0, self.reference_end().max(0.0)));
-        let point = self.reference_at(at)?;
+        let piece = self.piece_at(at)?;
+        let point = piece.curve.tangent(at.s - piece.s);
         let (roll_cos, roll_sin) = self.roll(at);
         let (x, y, z) = (point.x, point.y, self.elevation(at));
         Some(CrossSection { x, y, z, cos: point.cos, sin: point.sin, roll_cos, roll_sin })
@@ -154,7 +155,8 @@ impl<'a> SectionCutter<'a> {
 
     /// Edges at s of one lane, counted from the left, the same as [`Self::edges`] gives. None for a damaged archive, for a
     /// section without a centre lane, and for a lane that it does not have.
-    #[inline]
+    // Always: of both edges, most callers need one number.
+    #[inline(always)]
     pub fn lane_edges(&mut self, lane: usize, s: f64) -> Option<LaneEdges> {
         let on_line = self.on_line(s);
         let widths = self.widths(s)?;

@@ -140,10 +140,10 @@ impl<'a> Lane<'a> {
     /// nearer end. None for a damaged archive or an s that is not finite.
     pub fn edge_points_at(&self, s: f64) -> Option<[DVec3; 2]> {
         let (at, _) = self.place(s).ok()?;
-        let edges = self.edges_at(s);
+        let edges = self.edge_slopes(at);
         let cut = self.road.cross_section(at.s)?;
         let origin = self.map.origin().extend(0.0);
-        Some([edges.inner, edges.outer].map(|t| origin + cut.place(t)))
+        Some([edges.inner, edges.outer].map(|edge| origin + cut.place(edge.value)))
     }
 
     /// As [`Lane::edge_points_at`], the edge on the left of the lane's traffic first.

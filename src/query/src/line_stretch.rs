@@ -54,6 +54,7 @@ impl ValidRange {
 
 impl<'a> LineStretch<'a> {
     /// What holds at s. None for a damaged archive.
+    #[inline(always)]
     pub(crate) fn at(road: &Road<'a>, s: f64) -> Option<Self> {
         let mut held = ValidRange::ALWAYS;
         let rows = road.geometries();

@@ -47,7 +47,7 @@ impl<'m, 'a> Cuts<'m, 'a> {
     }
 
     /// A place of a lane, counted from the left, at s, relative to the local origin; `t` chooses between its edges.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn place(
         &mut self,
         lane: usize,
