@@ -234,8 +234,8 @@ impl Sampled {
             u64::from(comparable((sample.s - s_start) as f32)) << u32::BITS | number as u64
         };
         order.extend(samples.iter().enumerate().map(key));
-        // Each line is in order: the stable sort merges such runs.
-        order.sort();
+        // No two are equal.
+        order.sort_unstable();
         stations.clear();
         ranks.clear();
         ranks.resize(samples.len(), 0);
