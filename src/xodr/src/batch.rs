@@ -7,7 +7,7 @@
 use crate::cursor::{Cursor, Name, NextChild, Open, Scope};
 use crate::extension::Extension;
 use crate::finding::Span;
-use crate::findings::{Findings, KeptFinding};
+use crate::findings::{Counts, Findings, KeptFinding};
 use crate::generated::{Item, read_document};
 use crate::limits::Limits;
 use crate::source::{Inputs, Note, Source};
@@ -156,7 +156,11 @@ impl<'a> Cutter<'a> {
 
 /// What the reading of a batch needs to know of the document: the root as it is open, and the version.
 #[derive(Clone)]
-pub struct Context(Arc<ContextData>);
+pub struct Context {
+    known: Arc<ContextData>,
+    /// Kinds of findings that no batch has to keep.
+    used_up: Counts,
+}
 
 pub(crate) struct ContextData {
     pub(crate) limits: Limits,
@@ -220,7 +224,12 @@ impl ReadBatch {
 
 impl Context {
     pub(crate) fn new(known: ContextData) -> Self {
-        Self(Arc::new(known))
+        Self { known: Arc::new(known), used_up: Counts::new() }
+    }
+
+    /// The same for the next batch, with what is known of findings by now.
+    pub(crate) fn with_used_up(&self, used_up: Counts) -> Self {
+        Self { known: Arc::clone(&self.known), used_up }
     }
 
     /// Reads a batch, on any thread.
@@ -232,7 +241,7 @@ impl Context {
     /// back is not handed out later, where [`Reader::delivered`](crate::Reader::delivered) says that there was one. A batch may turn
     /// out to be refused when all of them are taken; it is read again then.
     pub fn read_each(&self, batch: Batch, take: &mut dyn FnMut(Item) -> Option<Item>) -> ReadBatch {
-        let known = &*self.0;
+        let known = &*self.known;
         let Batch { text, start, notes } = batch;
         let inputs = Inputs::new(known.limits.source);
         let limit = known.limits.tag_bytes.max(known.limits.text_bytes);
@@ -244,6 +253,7 @@ impl Context {
         cursor.namespace.clone_from(&known.namespace);
         cursor.counts.clone_from(&known.counts);
         cursor.structure = known.structure.clone();
+        cursor.findings = Findings::behind(known.limits.findings_of_a_kind, self.used_up.clone());
         cursor.push_frame(Name::Known(crate::reader::ROOT), 0);
         cursor.scope = Scope::Batch;
         let mut root = known.root.clone();

@@ -13,7 +13,9 @@ pub(crate) static CONTENT: AttributeSchema = attribute("text", Kind::Text);
 
 /// The bits that are set, from the lowest on.
 fn bits(set: u64) -> impl Iterator<Item = usize> {
-    (0..64).filter(move |bit| set >> bit & 1 == 1)
+    let without_lowest = |rest: &u64| Some(rest & rest.wrapping_sub(1));
+    let rests = std::iter::successors(Some(set), without_lowest);
+    rests.take_while(|rest| *rest != 0).map(|rest| rest.trailing_zeros() as usize)
 }
 
 /// Versions in words: "1.5 to 1.7", "1.8 on".
@@ -27,12 +29,16 @@ fn words(versions: Versions) -> String {
     }
 }
 
+/// The version that is stated in words; of one that there is not, that which is checked instead.
+pub(crate) fn standard(stated: &str, version: usize) -> String {
+    let name = if NAMES.contains(&stated) { stated } else { NAMES[version] };
+    format!("OpenDRIVE {name}")
+}
+
 impl Cursor<'_> {
-    /// The version in words, as findings name it; of one that there is not, that which is checked instead.
+    /// The version in words, as findings name it.
     pub(crate) fn standard(&self) -> String {
-        let stated = self.stated.as_str();
-        let name = if NAMES.contains(&stated) { stated } else { NAMES[self.version] };
-        format!("OpenDRIVE {name}")
+        standard(&self.stated, self.version)
     }
 
     /// The place of a raw attribute's value.
@@ -98,20 +104,20 @@ impl Cursor<'_> {
             if !self.is_for(open, a.when) {
                 continue;
             }
-            let (name, standard) = (a.name, self.standard());
-            let (severity, message) = if a.required & bit != 0 {
-                let but = if a.not_by_text { " by its schema, though not by its text" } else { "" };
-                (
-                    Severity::Error,
-                    format!("expected @{name}, required in {standard}{but}, found none"),
-                )
-            } else {
-                let message = format!(
-                    "expected @{name}, required by the text of {standard}, though not by its schema, found none"
-                );
-                (Severity::Warning, message)
-            };
-            self.add(rule_ids::MISSING, severity, open.span, name, message);
+            let is_error = a.required & bit != 0;
+            let severity = if is_error { Severity::Error } else { Severity::Warning };
+            self.add_by_standard(rule_ids::MISSING, severity, open.span, a.name, |standard| {
+                let name = a.name;
+                if is_error {
+                    let but =
+                        if a.not_by_text { " by its schema, though not by its text" } else { "" };
+                    format!("expected @{name}, required in {standard}{but}, found none")
+                } else {
+                    format!(
+                        "expected @{name}, required by the text of {standard}, though not by its schema, found none"
+                    )
+                }
+            });
         }
     }
 
@@ -122,31 +128,35 @@ impl Cursor<'_> {
 
     /// Says what there is to say about something of another version or variant.
     fn check_age(&mut self, open: &Open, (mark, name): (&str, &str), facts: Facts, span: Span) {
-        let what = format!("{mark}{name}");
-        let standard = self.standard();
         let bit: Versions = 1 << self.version;
-        if facts.versions & alike(self.version as u8) == 0 {
-            let message = format!(
-                "expected no {what} in {standard}, found it; the standard has it in {}",
-                words(facts.versions)
-            );
-            self.add(rule_ids::OTHER_VERSION, Severity::Warning, span, name, message);
-        } else if facts.versions & bit == 0 {
-            let message = format!(
-                "expected no {what}, which {} has but later versions do not, found it",
-                words(facts.versions)
-            );
-            self.add(rule_ids::OTHER_VERSION, Severity::Info, span, name, message);
+        let versions = facts.versions;
+        if versions & alike(self.version as u8) == 0 {
+            let rule = rule_ids::OTHER_VERSION;
+            self.add_by_standard(rule, Severity::Warning, span, name, |standard| {
+                let others = words(versions);
+                format!(
+                    "expected no {mark}{name} in {standard}, found it; the standard has it in {others}"
+                )
+            });
+        } else if versions & bit == 0 {
+            self.add_by_standard(rule_ids::OTHER_VERSION, Severity::Info, span, name, |_| {
+                let others = words(versions);
+                format!(
+                    "expected no {mark}{name}, which {others} has but later versions do not, found it"
+                )
+            });
         } else if facts.deprecated & bit != 0 {
-            let message = format!("expected no {what}, deprecated in {standard}, found it");
-            self.add(rule_ids::DEPRECATED, Severity::Info, span, name, message);
+            self.add_by_standard(rule_ids::DEPRECATED, Severity::Info, span, name, |standard| {
+                format!("expected no {mark}{name}, deprecated in {standard}, found it")
+            });
         }
         if !self.is_for(open, facts.when) {
             let variant = open.schema.variants.get(usize::from(open.variant)).unwrap_or(&"this");
-            let message = format!(
-                "expected no {what} in an element of kind {variant} in {standard}, found it"
-            );
-            self.add(rule_ids::VARIANT, Severity::Warning, span, name, message);
+            self.add_by_standard(rule_ids::VARIANT, Severity::Warning, span, name, |standard| {
+                format!(
+                    "expected no {mark}{name} in an element of kind {variant} in {standard}, found it"
+                )
+            });
         }
     }
 
@@ -158,12 +168,12 @@ impl Cursor<'_> {
             Facts { versions: child.versions, deprecated: child.deprecated, when: child.when };
         self.check_age(open, ("", child.name), facts, span);
         if again {
-            let message = format!(
-                "expected {} at most once in {}, found it again; the first is used",
-                child.name,
-                self.standard()
-            );
-            self.add(rule_ids::OCCURRENCE, Severity::Error, span, child.name, message);
+            let name = child.name;
+            self.add_by_standard(rule_ids::OCCURRENCE, Severity::Error, span, name, |standard| {
+                format!(
+                    "expected {name} at most once in {standard}, found it again; the first is used"
+                )
+            });
         }
         if child.order < open.order {
             let message = self.misplaced(open, child);
@@ -184,6 +194,22 @@ impl Cursor<'_> {
         format!("expected {} before {last}, found it after", child.name)
     }
 
+    /// Children of which there are too many or too few, as many as there are, and the number that is due instead.
+    #[inline]
+    pub(crate) fn miscounted(
+        &self,
+        open: &Open,
+    ) -> impl Iterator<Item = (&'static ChildSchema, u16, u16)> {
+        let (schema, counts) = (open.schema, open.counts);
+        bits(schema.counted).filter_map(move |slot| {
+            let child = schema.children.get(slot)?;
+            let count = self.counts.get(counts + slot).copied().unwrap_or(0);
+            let (min, max) = child.occurs[self.version];
+            let due = if count > max { max } else { min };
+            (count > max || (count > 0 && count < min)).then_some((child, count, due))
+        })
+    }
+
     /// Children that are missing, as bits; counts and choices.
     #[cold]
     pub(crate) fn check_children(&mut self, open: &Open, missing: u64) {
@@ -201,17 +227,12 @@ impl Cursor<'_> {
             let rule = if is_header { rule_ids::HEADER } else { rule_ids::ELEMENT };
             self.add(rule, Severity::Error, open.span, child.name, message);
         }
-        for slot in bits(open.schema.counted) {
-            let Some(child) = children.get(slot) else { continue };
-            let count = self.counts.get(open.counts + slot).copied().unwrap_or(0);
-            let (min, max) = child.occurs[self.version];
-            if count > max || (count > 0 && count < min) {
-                let bound = if count > max { "at most" } else { "at least" };
-                let due = if count > max { max } else { min };
-                let message =
-                    format!("expected {bound} {due} {} in {standard}, found {count}", child.name);
-                self.add(rule_ids::OCCURRENCE, Severity::Error, open.span, child.name, message);
-            }
+        let miscounted: Vec<_> = self.miscounted(open).collect();
+        for (child, count, due) in miscounted {
+            let bound = if count > due { "at most" } else { "at least" };
+            let message =
+                format!("expected {bound} {due} {} in {standard}, found {count}", child.name);
+            self.add(rule_ids::OCCURRENCE, Severity::Error, open.span, child.name, message);
         }
         let chosen = (open.children & open.schema.chosen).count_ones();
         let alternatives: Vec<&str> = bits(open.schema.chosen)

@@ -2,6 +2,7 @@
 //!
 //! What a sound file needs on every element stands here; what is asked only where something is wrong, in `checks`.
 
+use crate::checks::standard;
 use crate::element::{self, Element};
 use crate::extension::Extension;
 use crate::finding::{Finding, Severity, Span};
@@ -424,7 +425,7 @@ impl<'a> Cursor<'a> {
             Choice::AtMostOne => chosen > 1,
             Choice::Any => false,
         };
-        if missing | schema.counted != 0 || badly {
+        if missing != 0 || badly || self.miscounted(open).next().is_some() {
             self.check_children(open, missing);
         }
         self.counts.truncate(open.counts);
@@ -461,9 +462,23 @@ impl<'a> Cursor<'a> {
         detail: &str,
         message: String,
     ) {
-        let (frames, names) = (&self.frames, &self.names);
-        self.findings
-            .add(rule, severity, span, (self.kind, detail), || (path_of(frames, names), message));
+        self.add_by_standard(rule, severity, span, detail, |_| message);
+    }
+
+    /// As [`Self::add`], with a message that names the standard; it is made only where the finding is kept.
+    pub(crate) fn add_by_standard(
+        &mut self,
+        rule: &'static str,
+        severity: Severity,
+        span: Span,
+        detail: &str,
+        message: impl FnOnce(&str) -> String,
+    ) {
+        let (frames, names, stated, version) =
+            (&self.frames, &self.names, &self.stated, self.version);
+        self.findings.add(rule, severity, span, (self.kind, detail), || {
+            (path_of(frames, names), message(&standard(stated, version)))
+        });
     }
 
     /// Counts what the top-level element takes; ends the walk where that is too much.

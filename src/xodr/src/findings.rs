@@ -13,6 +13,9 @@ const SHOWN_BYTES: usize = 1024;
 /// Bytes of what a kind is about that are looked at.
 const DETAIL_BYTES: usize = 64;
 
+/// Findings so far by kind, and the place of those beyond the kept ones.
+pub(crate) type Counts = HashMap<Kind, (u32, Option<usize>)>;
+
 /// Findings beyond those kept, of one kind.
 struct More {
     severity: Severity,
@@ -41,7 +44,7 @@ enum FindingFate {
 /// Collects findings.
 pub(crate) struct Findings {
     kept: Vec<KeptFinding>,
-    counts: HashMap<Kind, (u32, Option<usize>)>,
+    counts: Counts,
     more: Vec<(Kind, More)>,
     limit: u32,
     /// Errors so far, kept or not.
@@ -50,7 +53,18 @@ pub(crate) struct Findings {
 
 impl Findings {
     pub(crate) fn new(limit: u32) -> Self {
-        Self { kept: Vec::new(), counts: HashMap::new(), more: Vec::new(), limit, errors: 0 }
+        Self::behind(limit, Counts::new())
+    }
+
+    /// A collector for a part of a document, with what [`Findings::used_up`] says of what stands before it.
+    pub(crate) fn behind(limit: u32, counts: Counts) -> Self {
+        Self { kept: Vec::new(), counts, more: Vec::new(), limit, errors: 0 }
+    }
+
+    /// Kinds of which no more are kept, so that a collector for what comes later need not keep any.
+    pub(crate) fn used_up(&self) -> Counts {
+        let kinds = self.more.iter().take(KINDS / 2);
+        kinds.map(|(kind, _)| (kind.clone(), (self.limit, None))).collect()
     }
 
     /// Adds a finding; `make` yields its path and message, and is asked only where it is kept.

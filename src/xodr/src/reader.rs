@@ -306,6 +306,12 @@ impl<'a> Reader<'a> {
         Some(RestOfDocument { context, cutter: Cutter::new(rest, &cursor.prefix) })
     }
 
+    /// What the next batch that is begun needs to know, from what [`Reader::split`] gave: what was found so far by kind, too, so that
+    /// findings that would not be kept are only counted.
+    pub fn context(&self, split: &Context) -> Context {
+        split.with_used_up(self.cursor.findings.used_up())
+    }
+
     /// Takes what was read of the next batch; [`Reader::accepted`] hands it out. Yields the room of its text. Errors: it cannot be read by itself, and is
     /// given back: from it on the document has to be read as one, see [`Reader::go_on`].
     pub fn accept(&mut self, mut read: ReadBatch) -> Result<Vec<u8>, Batch> {

@@ -72,7 +72,7 @@ impl<'a> Stream<'a> {
                 }
                 return Ok(item.map(Next::Item));
             };
-            match ahead.next(plan)? {
+            match ahead.next(&self.reader, plan)? {
                 Some(FinishedBatch { read, lowered }) => match self.reader.accept(read) {
                     Ok(room) => {
                         ahead.cutter.give_back(room);
@@ -113,14 +113,18 @@ impl<'a> Ahead<'a> {
     }
 
     /// The next batch; none behind the last.
-    fn next(&mut self, plan: &dyn Fn() -> Option<Plan>) -> io::Result<Option<FinishedBatch>> {
+    fn next(
+        &mut self,
+        reader: &Reader<'_>,
+        plan: &dyn Fn() -> Option<Plan>,
+    ) -> io::Result<Option<FinishedBatch>> {
         while !self.is_cut && self.reading.len() < rayon::current_num_threads() + AHEAD {
             let Some(batch) = self.cutter.next() else {
                 self.is_cut = true;
                 break;
             };
             let (done, reading) = sync_channel(1);
-            let (context, plan) = (self.context.clone(), plan());
+            let (context, plan) = (reader.context(&self.context), plan());
             rayon::spawn_fifo(move || {
                 let finished = match plan {
                     Some(plan) => {
