@@ -1,7 +1,6 @@
 //! The string table while it is filled: each text once.
 
-use crate::hashed::ByHash;
-use std::hash::{BuildHasher as _, RandomState};
+use crate::hashed::{ByHash, Folding};
 
 /// Collects the strings that rows name and gives each a number, in the order in which they are added. String 0 is empty.
 ///
@@ -11,14 +10,14 @@ use std::hash::{BuildHasher as _, RandomState};
 pub struct StringTable {
     /// Numbers by the hashes of their texts; where one is taken by another text, by the next that is not.
     numbers: ByHash<u32>,
-    hasher: RandomState,
+    hasher: Folding,
     bytes: Vec<u8>,
     offsets: Vec<u32>,
 }
 
 impl Default for StringTable {
     fn default() -> Self {
-        let (numbers, hasher) = (ByHash::default(), RandomState::new());
+        let (numbers, hasher) = (ByHash::default(), Folding::default());
         Self { numbers, hasher, bytes: Vec::new(), offsets: vec![0; 2] }
     }
 }
@@ -89,7 +88,7 @@ impl StringTable {
         if text.is_empty() {
             return Ok(0);
         }
-        let mut hash = self.hasher.hash_one(text);
+        let mut hash = self.hasher.of(text);
         while let Some(number) = self.numbers.get(&hash) {
             if self.bytes_of(*number) == text {
                 return Ok(*number);

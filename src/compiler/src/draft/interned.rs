@@ -4,8 +4,7 @@
 //! curvatures, and its crossings few shapes. Stored once, they take less room, and few of them are waited for.
 
 use bytemuck::NoUninit;
-use mapd_archive::{ByHash, Range, RowMapping};
-use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use mapd_archive::{ByHash, Folding, Range, RowMapping};
 
 /// Where sequences of the rows of one table lie, by a hash of their bytes.
 #[derive(Default)]
@@ -24,9 +23,8 @@ impl Interned {
     /// Takes the rows from `before` on; where the same ones are there already, those stand for them.
     pub(crate) fn add<T: NoUninit>(&mut self, rows: &mut Vec<T>, before: usize) -> Range {
         let Some(new) = rows.get(before..) else { return Range::default() };
-        let mut hasher = DefaultHasher::new();
-        bytemuck::cast_slice::<_, u8>(new).hash(&mut hasher);
-        self.add_hashed(rows, before, hasher.finish())
+        let hash = Folding::fixed().of(bytemuck::cast_slice(new));
+        self.add_hashed(rows, before, hash)
     }
 
     fn add_hashed<T: NoUninit>(&mut self, rows: &mut Vec<T>, before: usize, hash: u64) -> Range {

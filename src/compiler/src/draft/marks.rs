@@ -1,15 +1,17 @@
 //! Road marks, each style and each sequence of them once.
 
 use super::between;
-use mapd_archive::{NONE, Range, RoadMarkRow, RoadMarkStyleRow, RowMapping, RowMappings, Rows};
+use mapd_archive::{
+    Folding, NONE, Range, RoadMarkRow, RoadMarkStyleRow, RowMapping, RowMappings, Rows,
+};
 use std::collections::HashMap;
 
 /// Numbers of the styles that have been written, by what they and their lines hold.
 #[derive(Default)]
 pub(crate) struct Styles {
-    known: HashMap<Vec<u8>, u32>,
+    known: HashMap<Vec<u8>, u32, Folding>,
     /// First rows of sequences of marks, by what they hold.
-    sequences: HashMap<Vec<u8>, u32>,
+    sequences: HashMap<Vec<u8>, u32, Folding>,
     /// Room for what is looked up: nearly all of it is there already.
     style: Vec<u8>,
     /// The sequence that is being taken.
