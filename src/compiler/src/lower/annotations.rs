@@ -23,6 +23,8 @@ struct AncestorElement {
 struct Walk<'a> {
     draft: &'a mut Draft,
     places: &'a Places,
+    /// Whether all stands in one file: then there is nothing to say of an element that is bare.
+    is_one_file: bool,
     /// What the whole belongs to.
     owner: Owner,
     /// Path of the whole below that.
@@ -40,15 +42,21 @@ impl Draft {
         path: &str,
         places: &Places,
     ) {
+        let is_one_file = places.is_one_file();
+        if is_one_file && element.is_bare() {
+            return;
+        }
         self.owners.sort();
-        let mut walk = Walk { draft: self, places, owner, path, frames: Vec::new() };
+        let mut walk = Walk { draft: self, places, is_one_file, owner, path, frames: Vec::new() };
         walk.element(element, 0);
     }
 
     /// Takes what stands in the root.
     pub(crate) fn annotate_root(&mut self, extensions: &[Extension], places: &Places) {
         let owner = (AnnotationOwner::Document, 0);
-        let mut walk = Walk { draft: self, places, owner, path: "", frames: Vec::new() };
+        let is_one_file = places.is_one_file();
+        let mut walk =
+            Walk { draft: self, places, is_one_file, owner, path: "", frames: Vec::new() };
         extensions.iter().for_each(|extension| walk.extension(extension));
     }
 }
@@ -82,6 +90,9 @@ impl Walk<'_> {
         });
         element.extensions().into_iter().for_each(|extension| self.extension(extension));
         element.children(&mut |tag, number, child| {
+            if self.is_one_file && child.is_bare() {
+                return;
+            }
             self.frames.push(AncestorElement { tag, number, start: child.span().start });
             self.element(child, own_file);
             self.frames.pop();

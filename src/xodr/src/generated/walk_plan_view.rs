@@ -16,6 +16,9 @@ impl Written for PlanView {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty() && self.geometry.iter().all(Written::is_bare)
+    }
     fn children(&self, visit: Visit<'_>) {
         children("geometry", &self.geometry, visit);
     }
@@ -30,6 +33,14 @@ impl Written for Geometry {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+            && self.line.as_deref().is_none_or(Written::is_bare)
+            && self.spiral.as_deref().is_none_or(Written::is_bare)
+            && self.arc.as_deref().is_none_or(Written::is_bare)
+            && self.poly3.as_deref().is_none_or(Written::is_bare)
+            && self.param_poly3.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("line", &self.line, visit);
@@ -50,6 +61,9 @@ impl Written for Line {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for Spiral {
@@ -61,6 +75,9 @@ impl Written for Spiral {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -74,6 +91,9 @@ impl Written for Arc {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for Poly3 {
@@ -86,6 +106,9 @@ impl Written for Poly3 {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for ParamPoly3 {
@@ -97,5 +120,8 @@ impl Written for ParamPoly3 {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
     }
 }

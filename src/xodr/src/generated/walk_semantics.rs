@@ -16,6 +16,24 @@ impl Written for Semantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+            && self.speed.iter().all(Written::is_bare)
+            && self.lane.iter().all(Written::is_bare)
+            && self.priority.iter().all(Written::is_bare)
+            && self.prohibited.iter().all(Written::is_bare)
+            && self.warning.iter().all(Written::is_bare)
+            && self.routing.iter().all(Written::is_bare)
+            && self.streetname.iter().all(Written::is_bare)
+            && self.parking.iter().all(Written::is_bare)
+            && self.tourist.iter().all(Written::is_bare)
+            && self.supplementary_time.iter().all(Written::is_bare)
+            && self.supplementary_allows.iter().all(Written::is_bare)
+            && self.supplementary_prohibits.iter().all(Written::is_bare)
+            && self.supplementary_distance.iter().all(Written::is_bare)
+            && self.supplementary_environment.iter().all(Written::is_bare)
+            && self.supplementary_explanatory.iter().all(Written::is_bare)
+    }
     fn children(&self, visit: Visit<'_>) {
         children("speed", &self.speed, visit);
         children("lane", &self.lane, visit);
@@ -45,6 +63,12 @@ impl Written for SpeedSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+            && self.type_element.as_deref().is_none_or(Written::is_bare)
+            && self.unit_element.as_deref().is_none_or(Written::is_bare)
+            && self.value_element.as_deref().is_none_or(Written::is_bare)
+    }
     fn children(&self, visit: Visit<'_>) {
         child("type", &self.type_element, visit);
         child("unit", &self.unit_element, visit);
@@ -62,6 +86,9 @@ impl Written for SpeedSemanticsType {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for SpeedSemanticsUnit {
@@ -73,6 +100,9 @@ impl Written for SpeedSemanticsUnit {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -86,6 +116,9 @@ impl Written for SpeedSemanticsValue {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for LaneSemantics {
@@ -97,6 +130,9 @@ impl Written for LaneSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -110,6 +146,9 @@ impl Written for PrioritySemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for ProhibitedSemantics {
@@ -121,6 +160,12 @@ impl Written for ProhibitedSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+            && self.animal.iter().all(Written::is_bare)
+            && self.person.iter().all(Written::is_bare)
+            && self.vehicle.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("animal", &self.animal, visit);
@@ -139,6 +184,9 @@ impl Written for AnimalSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for PersonSemantics {
@@ -150,6 +198,9 @@ impl Written for PersonSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty() && self.r#type.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("type", &self.r#type, visit);
@@ -166,6 +217,9 @@ impl Written for PersonSemanticsType {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for VehicleSemantics {
@@ -177,6 +231,9 @@ impl Written for VehicleSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty() && self.r#type.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("type", &self.r#type, visit);
@@ -193,6 +250,9 @@ impl Written for VehicleSemanticsType {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for WarningSemantics {
@@ -204,6 +264,9 @@ impl Written for WarningSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -217,6 +280,9 @@ impl Written for RoutingSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for StreetnameSemantics {
@@ -228,6 +294,9 @@ impl Written for StreetnameSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -241,6 +310,9 @@ impl Written for ParkingSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for TouristSemantics {
@@ -252,6 +324,9 @@ impl Written for TouristSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -265,6 +340,9 @@ impl Written for SupplementaryTimeSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for SupplementaryAllowsSemantics {
@@ -276,6 +354,12 @@ impl Written for SupplementaryAllowsSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+            && self.animal.iter().all(Written::is_bare)
+            && self.person.iter().all(Written::is_bare)
+            && self.vehicle.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("animal", &self.animal, visit);
@@ -294,6 +378,12 @@ impl Written for SupplementaryProhibitsSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+            && self.animal.iter().all(Written::is_bare)
+            && self.person.iter().all(Written::is_bare)
+            && self.vehicle.iter().all(Written::is_bare)
+    }
     fn children(&self, visit: Visit<'_>) {
         children("animal", &self.animal, visit);
         children("person", &self.person, visit);
@@ -311,6 +401,9 @@ impl Written for SupplementaryDistanceSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for SupplementaryEnvironmentSemantics {
@@ -323,6 +416,9 @@ impl Written for SupplementaryEnvironmentSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
+    }
 }
 
 impl Written for SupplementaryExplanatorySemantics {
@@ -334,5 +430,8 @@ impl Written for SupplementaryExplanatorySemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
+    }
+    fn is_bare(&self) -> bool {
+        self.extensions.as_slice().is_empty()
     }
 }

@@ -149,6 +149,11 @@ impl Places {
         self.lock().len()
     }
 
+    /// Whether all text so far stands in one file.
+    pub fn is_one_file(&self) -> bool {
+        !self.has_pieces.load(Ordering::Acquire) && self.files() <= 1
+    }
+
     /// Files that were to be included and cannot be read, by name.
     pub fn missing(&self) -> Vec<PathBuf> {
         self.missing.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
