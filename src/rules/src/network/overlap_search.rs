@@ -69,17 +69,26 @@ struct Run<'a> {
     heights: [f64; 2],
 }
 
-/// Column and row of a cell.
-type Cell = (i32, i32);
+/// Column of a cell, and below it its row, as one number that is sorted at once.
+type Cell = u64;
 
-/// Number of a cell. Beyond 32 bits, 40 million kilometres away, all lies in one. (Casts of `clamp`ed numbers lose nothing.)
-fn within_32_bits(cell: i64) -> i32 {
-    cell.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+/// The cell of a column and a row.
+fn cell(column: i32, row: i32) -> Cell {
+    let from_lowest = |number: i32| u64::from(number.abs_diff(i32::MIN));
+    from_lowest(column) << u32::BITS | from_lowest(row)
 }
 
-/// Column or row of the cell that a coordinate `[m]` lies in.
-fn cell(value: f64) -> i32 {
-    within_32_bits((value / CELL).floor() as i64)
+/// Number of a column or row. Beyond 32 bits, 40 million kilometres away, all lies in one. (Casts of `clamp`ed numbers lose nothing.)
+fn within_32_bits(number: i64) -> i32 {
+    number.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+}
+
+/// Column or row that a coordinate `[m]` lies in.
+fn number(value: f64) -> i64 {
+    let number = value / CELL;
+    // `floor`, which is a call on processors that need not have it.
+    let cut = number as i64;
+    cut.saturating_sub(i64::from(cut as f64 > number))
 }
 
 /// All overlaps of a network's roads.
@@ -158,6 +167,14 @@ impl<'a> Search<'a> {
             return;
         };
         let place = |entry: &(Cell, u32)| places.get(entry.1 as usize);
+        let s_of = |entry: Option<&(Cell, u32)>| entry.and_then(place).map(|stretch| stretch.s);
+        if let (Some(first), Some(last)) = (s_of(run.stretches.first()), s_of(run.stretches.last()))
+            && last - first <= NEAR
+        {
+            // As most do, all lie near each other.
+            self.steps += run.stretches.len() as u64;
+            return;
+        }
         for (at, first) in run.stretches.iter().filter_map(place).enumerate() {
             let behind = &run.stretches[at + 1..];
             // A road may lead back to its own start.
@@ -234,7 +251,9 @@ impl Network {
         let mut starts: Vec<(i32, u32)> = self
             .roads
             .iter()
-            .map(|road| (cell(road.bounds[0]), self.stations_of(road).len() as u32))
+            .map(|road| {
+                (within_32_bits(number(road.bounds[0])), self.stations_of(road).len() as u32)
+            })
             .collect();
         starts.sort_unstable();
         let all: usize = starts.iter().map(|(_, count)| *count as usize).sum();
@@ -258,8 +277,9 @@ impl Network {
         places: &mut Vec<StretchSummary>,
         cells: &mut Vec<(Cell, u32)>,
     ) {
+        let column = |x: f64| within_32_bits(number(x));
         let is_beside =
-            |low: f64, high: f64| cell(high) < *strip.start() || cell(low) > *strip.end();
+            |low: f64, high: f64| column(high) < *strip.start() || column(low) > *strip.end();
         for (rank, road) in self.roads.iter().enumerate() {
             if is_beside(road.bounds[0], road.bounds[2]) {
                 continue;
@@ -282,17 +302,18 @@ impl Network {
                 let is_narrow = |stretch: &Stretch| b.s - a.s <= TOUCH && stretch.width() <= TOUCH;
                 let Some(stretch) = stretch.filter(|stretch| !is_narrow(stretch)) else { continue };
                 let bounds = bounds(&stretch.corners);
-                let [x0, y0, x1, y1] = bounds.map(|value| (value / CELL).floor() as i64);
+                let [x0, y0, x1, y1] = bounds.map(number);
                 let [width, height] = [x1.saturating_sub(x0), y1.saturating_sub(y0)];
                 let count = width.saturating_add(1).saturating_mul(height.saturating_add(1));
                 if count > CELLS_OF_A_STRETCH {
                     continue;
                 }
-                let number = places.len() as u32;
-                let columns = (x0..=x1).map(within_32_bits).filter(|x| strip.contains(x));
-                cells.extend(
-                    columns.flat_map(|x| (y0..=y1).map(move |y| ((x, within_32_bits(y)), number))),
-                );
+                let place = places.len() as u32;
+                for x in (x0..=x1).map(within_32_bits).filter(|x| strip.contains(x)) {
+                    for y in y0..=y1 {
+                        cells.push((cell(x, within_32_bits(y)), place));
+                    }
+                }
                 let (road, station) = (rank as u32, station as u32);
                 places.push(StretchSummary { road, station, s: stretch.s, z: stretch.z, bounds });
             }
