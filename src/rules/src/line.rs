@@ -246,20 +246,53 @@ impl ReferenceLine {
         piece.at(s - piece.s)
     }
 
-    /// The curvature there `[1/m]`, the same bits as in [`ReferenceLine::at`].
-    pub(crate) fn curvature_at(&self, s: f64) -> Option<f64> {
-        let piece = self.piece_at(s)?;
-        piece.curvature(s - piece.s)
-    }
-
     /// The piece that begins last before `s` `[m]`, else the first.
     fn piece_at(&self, s: f64) -> Option<&Piece> {
-        let after = self.pieces.partition_point(|piece| piece.s <= s);
-        self.pieces.get(after.saturating_sub(1))
+        self.pieces.get(self.rank_at(s))
+    }
+
+    fn rank_at(&self, s: f64) -> usize {
+        self.pieces.partition_point(|piece| piece.s <= s).saturating_sub(1)
     }
 
     /// Where the last piece ends `[m]`.
     pub fn end(&self) -> f64 {
         self.pieces.last().map_or(0.0, |last| last.s + last.length)
+    }
+}
+
+/// The same for places that are asked for one after the other: the curve of the last one is at hand for the next.
+pub(crate) struct Walk<'a> {
+    line: &'a ReferenceLine,
+    /// The piece that was asked for last.
+    rank: usize,
+    curve: Option<Curve<'a>>,
+}
+
+impl<'a> Walk<'a> {
+    /// Along a line.
+    pub(crate) fn new(line: &'a ReferenceLine) -> Self {
+        Self { line, rank: usize::MAX, curve: None }
+    }
+
+    /// As [`ReferenceLine::at`].
+    pub(crate) fn at(&mut self, s: f64) -> Option<CurvePoint> {
+        let (curve, u) = self.curve_at(s)?;
+        Some(curve.evaluate(u))
+    }
+
+    /// The curvature there `[1/m]`, the same bits as in [`Walk::at`].
+    pub(crate) fn curvature_at(&mut self, s: f64) -> Option<f64> {
+        let (curve, u) = self.curve_at(s)?;
+        Some(curve.curvature(u))
+    }
+
+    fn curve_at(&mut self, s: f64) -> Option<(&Curve<'a>, f64)> {
+        let rank = self.line.rank_at(s);
+        let piece = self.line.pieces.get(rank)?;
+        if rank != self.rank {
+            (self.rank, self.curve) = (rank, piece.curve());
+        }
+        Some((self.curve.as_ref()?, s - piece.s))
     }
 }

@@ -3,7 +3,7 @@
 use super::Network;
 use super::collect::permanent;
 use super::stations::{Heading, OnLine, STATION_STEP, Station};
-use crate::line::ReferenceLine;
+use crate::line::{ReferenceLine, Walk};
 use crate::place::{SectionIn, Side, number};
 use crate::profile::{elevation_at, outermost_at, superelevation_at};
 use mapd_xodr::Road;
@@ -45,14 +45,14 @@ impl Network {
         let mut heading = Heading::default();
         let sections: Vec<SectionIn<'_>> = permanent(road).collect();
         let written = written(&sections);
-        let mut lanes = 0;
+        let (mut lanes, mut walk) = (0, Walk::new(line));
         for s in places(line, &sections, end) {
             let sides = sides_at(&sections, &written, s);
             lanes += sides.iter().map(|side| side.lanes(&sections)).sum::<usize>();
             if lanes > LANES_OF_A_ROAD && s < end {
                 continue;
             }
-            let Some(point) = line.at(s) else { break };
+            let Some(point) = walk.at(s) else { break };
             let [left, right] = sides.map(|side| side.outermost(&sections, s));
             let station = Station {
                 s,
@@ -150,10 +150,10 @@ fn places(line: &ReferenceLine, sections: &[SectionIn<'_>], end: f64) -> Vec<f64
     let mut places = Vec::new();
     for piece in &line.pieces {
         let until = (piece.s + piece.length).min(end);
-        let mut s = piece.s;
+        let (mut s, curve) = (piece.s, piece.curve());
         while s < until && places.len() < STATIONS_OF_A_ROAD {
             places.push(s);
-            let bend = |u: f64| piece.curvature(u).map_or(0.0, f64::abs);
+            let bend = |u: f64| curve.map_or(0.0, |curve| curve.curvature(u).abs());
             let (bend, ahead) = (bend(s - piece.s), bend(s - piece.s + STATION_STEP_MIN));
             let step = (8.0 * CHORD_ERROR / bend.max(ahead)).sqrt().min(STATION_STEP);
             s += step.max(STATION_STEP_MIN).max(piece.length / STATIONS_OF_A_GEOMETRY);

@@ -1,6 +1,7 @@
 //! Lanes that lie beyond the centre of their road's bend.
 
 use crate::example::Example::Document;
+use crate::line::Walk;
 use crate::place::{RoadIn, SectionIn, Side, lane_part, number};
 use crate::profile::{borders_of, superelevation_at};
 use crate::rule::Check::Road;
@@ -91,11 +92,11 @@ fn look<'a>(
 ) {
     let length = section.length_of(side);
     let count = mapd_geometry::clamp((length / step).ceil(), 1.0, PLACES) as u32;
-    let lanes = section.outwards(side);
+    let (lanes, mut walk) = (section.outwards(side), Walk::new(of.line));
     for place in 0..=count {
         let ds = length * f64::from(place) / f64::from(count);
         let s = section.s() + ds;
-        let Some(curvature) = of.line.curvature_at(s) else { return };
+        let Some(curvature) = walk.curvature_at(s) else { return };
         if curvature.abs() < GENTLE.value {
             continue;
         }
