@@ -5,16 +5,23 @@ pub(crate) const WILD: [char; 3] = ['*', '?', '#'];
 
 /// A pattern in lower case.
 #[derive(Clone, Debug)]
-pub(crate) struct Pattern(Box<str>);
+pub(crate) struct Pattern {
+    text: Box<str>,
+    /// Whether it is one text, as nearly all are.
+    is_exact: bool,
+}
 
 impl Pattern {
     pub(crate) fn new(text: &str) -> Self {
-        Self(text.to_lowercase().into())
+        Self { text: text.to_lowercase().into(), is_exact: !text.contains(WILD) }
     }
 
     /// Whether a text, already in lower case, fits.
     pub(crate) fn fits(&self, text: &str) -> bool {
-        let (pattern, text) = (self.0.as_bytes(), text.as_bytes());
+        if self.is_exact {
+            return *self.text == *text;
+        }
+        let (pattern, text) = (self.text.as_bytes(), text.as_bytes());
         // Where the last star stood, and where in the text the try after it began.
         let (mut p, mut t) = (0, 0);
         let mut star: Option<(usize, usize)> = None;
@@ -46,7 +53,7 @@ impl Pattern {
 
     /// Whether the pattern is one text.
     pub(crate) fn is_exact(&self) -> bool {
-        !self.0.contains(WILD)
+        self.is_exact
     }
 }
 
