@@ -247,10 +247,12 @@ fn junctions(draft: &mut Draft, links: &Links<'_>) {
 fn sort_by_id(draft: &mut Draft) {
     let Draft { rows, strings, .. } = draft;
     let mut by_id: Vec<u32> = (0..rows.signals.len() as u32).collect();
-    by_id.sort_by_key(|row| {
-        let id = rows.signals.get(*row as usize).map_or(0, |signal| signal.id);
-        (strings.bytes_of(id).to_vec(), *row)
-    });
+    let id_of = |row: u32| {
+        let id = rows.signals.get(row as usize).map_or(0, |signal| signal.id);
+        strings.bytes_of(id)
+    };
+    // Those of one id stay in the order of their rows.
+    by_id.sort_by(|a, b| id_of(*a).cmp(id_of(*b)));
     rows.signals_by_id = by_id.into();
 }
 
