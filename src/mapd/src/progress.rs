@@ -82,7 +82,7 @@ impl Meter {
             self.bar.set_position(bytes);
             self.bar.set_message(made());
         }
-        self.line(|lines, now| lines.read(now, bytes, &made()));
+        self.line(|lines, now| lines.read(now, bytes, made));
     }
 
     /// Shows what is being done.
@@ -150,7 +150,7 @@ impl Lines {
     }
 
     /// A line, if one is due: bytes, percent, what was made of them, bytes per second, time left.
-    fn read(&mut self, now: Duration, bytes: u64, made: &str) -> Option<String> {
+    fn read(&mut self, now: Duration, bytes: u64, made: impl Fn() -> String) -> Option<String> {
         if bytes < self.bytes {
             self.reading_since = now;
         }
@@ -167,7 +167,7 @@ impl Lines {
             let share = 100.0 * bytes as f64 / total as f64;
             let _ = write!(line, " of {} ({share:.0} %)", amount(total as f64));
         }
-        let _ = write!(line, ", {made}, {}/s", amount(rate));
+        let _ = write!(line, ", {}, {}/s", made(), amount(rate));
         if self.total > 0 && rate > 0.0 {
             let _ = write!(line, ", {:.0} s left", (total - bytes) as f64 / rate);
         }
@@ -211,7 +211,9 @@ mod tests {
     #[test]
     fn a_line_at_most_each_interval() {
         let mut lines = Lines::new("a.xodr", 10_000_000, Duration::from_secs(5));
-        let mut read = |seconds, bytes| lines.read(Duration::from_secs(seconds), bytes, "3 roads");
+        let mut read = |seconds, bytes| {
+            lines.read(Duration::from_secs(seconds), bytes, || "3 roads".to_owned())
+        };
         assert_eq!(read(1, 1_000_000), None);
         let line = "a.xodr: 2.5 MB of 10.0 MB (25 %), 3 roads, 500.0 kB/s, 15 s left";
         assert_eq!(read(5, 2_500_000).as_deref(), Some(line));
@@ -230,7 +232,7 @@ mod tests {
     #[test]
     fn of_pipes_the_size_is_not_known() {
         let mut lines = Lines::new("pipe", 0, Duration::ZERO);
-        let line = lines.read(Duration::from_secs(2), 1_000_000, "3 roads");
+        let line = lines.read(Duration::from_secs(2), 1_000_000, || "3 roads".to_owned());
         assert_eq!(line.as_deref(), Some("pipe: 1.0 MB, 3 roads, 500.0 kB/s"));
         assert_eq!(decoded_bytes(Path::new("/dev/null")), 0);
     }
