@@ -1,8 +1,9 @@
 //! Signals, controllers and groups as written, until every id and lane is known.
 
 use mapd_archive::{BoardGroupRow, ControlRow, ControllerRow, RowMappings};
-use mapd_ontology::Ontology;
+use mapd_ontology::{Meaning, Ontology, SignalCode};
 use mapd_xodr::Span;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// What is known of signals until every id and lane is.
@@ -10,10 +11,23 @@ use std::sync::Arc;
 pub(crate) struct Signals {
     /// What signals mean.
     pub(crate) ontology: Arc<Ontology>,
+    /// What codes of late mean.
+    known: VecDeque<KnownCode>,
     pub(crate) signals: Vec<WrittenSignal>,
     pub(crate) references: Vec<SignalReference>,
     pub(crate) controllers: Vec<(ControllerRow, Vec<ControlRow>, Span)>,
     pub(crate) board_groups: Vec<BoardGroupRow>,
+}
+
+/// Codes that are remembered: so many as signals at a crossing have.
+const CODES: usize = 16;
+
+/// A code with its meaning.
+struct KnownCode {
+    texts: [Box<str>; 5],
+    /// Bits of its value.
+    value: Option<u64>,
+    meaning: Meaning,
 }
 
 /// A signal whose row stands in the table already.
@@ -53,6 +67,24 @@ impl Signals {
     /// Nothing yet, with a vocabulary.
     pub(crate) fn new(ontology: Arc<Ontology>) -> Self {
         Self { ontology, ..Self::default() }
+    }
+
+    /// What a code means. The tables are asked entry by entry, which takes longer than all else about a signal.
+    pub(crate) fn meaning(&mut self, code: &SignalCode<'_>) -> Meaning {
+        let SignalCode { country, r#type, subtype, name, value, unit } = *code;
+        let (texts, value) = ([r#type, subtype, name, country, unit], value.map(f64::to_bits));
+        let is_it = |known: &&KnownCode| {
+            known.value == value && known.texts.iter().zip(texts).all(|(own, text)| **own == *text)
+        };
+        if let Some(known) = self.known.iter().find(is_it) {
+            return known.meaning;
+        }
+        let meaning = self.ontology.signal(code);
+        if self.known.len() == CODES {
+            self.known.pop_front();
+        }
+        self.known.push_back(KnownCode { texts: texts.map(Box::from), value, meaning });
+        meaning
     }
 
     /// Number of controllers so far.

@@ -212,8 +212,8 @@ impl Draft {
     }
 
     /// What a signal means: by its own words first, then by its code.
-    fn meaning(&self, code: &SignalCode<'_>, stated: &[SemanticsEntry]) -> Meaning {
-        let by_code = self.signals.ontology.signal(code);
+    fn meaning(&mut self, code: &SignalCode<'_>, stated: &[SemanticsEntry]) -> Meaning {
+        let by_code = self.signals.meaning(code);
         let own = stated.iter().map(|one| one.meaning(&self.signals.ontology));
         match own.into_iter().find(|meaning| meaning.class != Class::Unknown) {
             // A light's lamps follow from its code, where that is known.
