@@ -70,7 +70,7 @@ impl Draft {
         position: Position,
         findings: &mut Vec<Finding>,
     ) {
-        let path = format!("OpenDRIVE/road[@id={}]", road.id.text());
+        let path = ["OpenDRIVE/road[@id=", road.id.text(), "]"].concat();
         let mut part =
             ElementContext { span: road.span, path: ElementPath::of_owner(&path), findings };
         let id = part.need(road.id.as_ref(), "id");
@@ -228,12 +228,8 @@ impl Draft {
         if part.need(junction.id.as_ref(), "id").is_none() {
             return;
         }
-        self.elevation_grid(
-            junction,
-            line,
-            &format!("{path}[@id={}]", junction.id.text()),
-            findings,
-        );
+        let path = [path, "[@id=", junction.id.text(), "]"].concat();
+        self.elevation_grid(junction, line, &path, findings);
         self.rows.junctions.push(JunctionRow {
             id: self.strings.add(junction.id.text()),
             name: self.strings.add(junction.name.text()),
@@ -248,7 +244,6 @@ impl Draft {
             },
             reserved: [0; 3],
         });
-        let path = format!("OpenDRIVE/junction[@id={}]", junction.id.text());
         for link in junction.connection.iter().flat_map(|connection| &connection.lane_link) {
             let path = ElementPath::new(&path, "connection/laneLink");
             let mut part = ElementContext { span: link.span, path, findings };

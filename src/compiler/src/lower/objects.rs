@@ -24,10 +24,11 @@ pub(crate) enum Owner<'a> {
 impl Owner<'_> {
     /// Path of its objects.
     fn path(self) -> String {
-        match self {
-            Self::Road(_, id) => format!("OpenDRIVE/road[@id={id}]/objects"),
-            Self::Junction(_, id) => format!("OpenDRIVE/junction[@id={id}]/objects"),
-        }
+        let (element, id) = match self {
+            Self::Road(_, id) => ("road", id),
+            Self::Junction(_, id) => ("junction", id),
+        };
+        ["OpenDRIVE/", element, "[@id=", id, "]/objects"].concat()
     }
 
     /// Rows of the road and of the junction.

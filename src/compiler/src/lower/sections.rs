@@ -102,9 +102,10 @@ fn lanes_of<'a>(
         ElementContext { span, path: ElementPath::new(road, LANE), findings }
             .need_lane(id.value(), "id")
     };
-    let mut lanes = Vec::new();
     let sides = [section.left.as_deref(), section.right.as_deref()];
-    for lane in sides.into_iter().flatten().flat_map(|side| &side.lane) {
+    let sides = sides.map(|side| side.map_or(&[][..], |side| &side.lane));
+    let mut lanes = Vec::with_capacity(sides.iter().map(|side| side.len()).sum::<usize>() + 1);
+    for lane in sides.into_iter().flatten() {
         lanes.extend(id(lane.span, &lane.id).map(|id| AnyLane {
             id,
             kind: lane.r#type.value(),
@@ -228,7 +229,8 @@ impl Draft {
             self.owners.add(section.span, AnnotationOwner::Section, row);
             let mut own = lanes_of(section, path, findings);
             let right = own.split_off(own.partition_point(|lane| lane.id >= 0));
-            let center = own.split_off(own.partition_point(|lane| lane.id > 0));
+            // Of one id there is one lane.
+            let center = own.pop_if(|lane| lane.id == 0);
             for ((lanes, side), own) in lanes.iter_mut().zip(sides[i]).zip([own, right]) {
                 if side.continues == 0 {
                     *lanes = own;
@@ -245,8 +247,7 @@ impl Draft {
                     part.add(&building::TOO_LARGE, Severity::Error, message);
                 }
             }
-            let center = center.first();
-            let (span, sides) = (section.span, sides[i]);
+            let (span, sides, center) = (section.span, sides[i], center.as_ref());
             let stretch = Stretch { span, s: *s, sides, lanes: &lanes, center };
             let lanes = self.stretch(on, &stretch, findings);
             self.rows.sections.push(SectionRow {
