@@ -147,7 +147,8 @@ fn sides_at(sections: &[SectionIn<'_>], written: &[[SectionEnd; 2]], s: f64) -> 
 
 /// Where cross-sections are kept, ascending.
 fn places(line: &ReferenceLine, sections: &[SectionIn<'_>], end: f64) -> Vec<f64> {
-    let mut places = Vec::new();
+    let steps = mapd_geometry::clamp(end / STATION_STEP, 0.0, STATIONS_OF_A_GEOMETRY) as usize;
+    let mut places = Vec::with_capacity(steps + line.pieces.len() + sections.len() + 1);
     for piece in &line.pieces {
         let until = (piece.s + piece.length).min(end);
         let (mut s, curve) = (piece.s, piece.curve());

@@ -281,16 +281,21 @@ impl Network {
         let is_beside =
             |low: f64, high: f64| column(high) < *strip.start() || column(low) > *strip.end();
         for (rank, road) in self.roads.iter().enumerate() {
-            if is_beside(road.bounds[0], road.bounds[2]) {
+            let [x0, _, x1, _] = road.bounds;
+            if is_beside(x0, x1) {
                 continue;
             }
+            let is_within = [x0, x1].into_iter().all(|x| strip.contains(&column(x)));
             // The ends of a cross-section that two stretches share are computed once.
             let (mut known, mut heading) = (None, Heading::default());
             for (station, [a, b]) in self.stations_of(road).pairs().enumerate() {
                 let before = known.take();
-                let reach = [a.left, a.right, b.left, b.right].map(f64::abs);
-                let reach = reach.into_iter().fold(0.0, f64::max);
-                if is_beside(a.x.min(b.x) - reach, a.x.max(b.x) + reach) {
+                let reach = || {
+                    let reach = [a.left, a.right, b.left, b.right].map(f64::abs);
+                    reach.into_iter().fold(0.0, f64::max)
+                };
+                let is_beside = |reach: f64| is_beside(a.x.min(b.x) - reach, a.x.max(b.x) + reach);
+                if !is_within && is_beside(reach()) {
                     continue;
                 }
                 let ends = (before.unwrap_or_else(|| a.ends(&mut heading)), b.ends(&mut heading));

@@ -107,7 +107,7 @@ fn astray(network: &Network, own: &LaneEnd<'_>, others: &[LaneEnd<'_>]) -> [Opti
         && others.iter().all(|other| is_drivable(other.lane.kind))
         && others.windows(2).all(|pair| (pair[0].lane.id < 0) == (pair[1].lane.id < 0));
     let distance = |at: &usize| others.get(*at).map_or(0, |other| other.lane.id.unsigned_abs());
-    let Some(edge) = Edge::of(network, own).filter(|_| is_told) else { return [None; 2] };
+    let Some(edge) = is_told.then(|| Edge::of(network, own)).flatten() else { return [None; 2] };
     let edge_of = |at: usize| Edge::of(network, others.get(at)?);
     let found = |at: usize, apart: f64| (apart > CORNER.value).then_some((at, apart));
     if let [_] = others {
