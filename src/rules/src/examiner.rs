@@ -164,12 +164,11 @@ impl Examiner {
     pub(crate) fn apply(
         &mut self,
         rules: &Rules,
-        rank: usize,
+        (rank, applied): (usize, &Applied),
         path: &[PathSegment<'_>],
         look: impl FnOnce(&mut Sink<'_>),
     ) {
-        let applied = rules.applied.get(rank).zip(self.counts.get_mut(rank));
-        let Some((applied, count)) = applied else { return };
+        let Some(count) = self.counts.get_mut(rank) else { return };
         let mut sink = Sink {
             rule: applied.rule,
             rank,

@@ -11,8 +11,9 @@ use mapd_xodr::{Item, Junction, Objects, Road};
 macro_rules! apply {
     ($self:ident, $rules:ident, $list:ident, $kind:ident, $path:expr, $element:expr) => {
         for rank in $rules.lists.$list.iter().copied() {
-            if let Some(Check::$kind(check)) = $rules.applied.get(rank).map(|a| a.rule.check) {
-                $self.apply($rules, rank, $path, |sink| check($element, sink));
+            let Some(applied) = $rules.applied.get(rank) else { continue };
+            if let Check::$kind(check) = applied.rule.check {
+                $self.apply($rules, (rank, applied), $path, |sink| check($element, sink));
             }
         }
     };

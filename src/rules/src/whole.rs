@@ -47,10 +47,10 @@ impl Whole {
             return Examined::default();
         };
         let mut examiner = Examiner::with(&self.rules);
-        if let Some(Check::Network(check) | Check::Overlaps(check)) =
-            self.rules.applied.get(rank).map(|applied| applied.rule.check)
+        if let Some(applied) = self.rules.applied.get(rank)
+            && let Check::Network(check) | Check::Overlaps(check) = applied.rule.check
         {
-            examiner.apply(&self.rules, rank, &[], |sink| check(&self.network, sink));
+            examiner.apply(&self.rules, (rank, applied), &[], |sink| check(&self.network, sink));
         }
         Examined(examiner.found)
     }
