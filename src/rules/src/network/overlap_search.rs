@@ -91,6 +91,11 @@ fn number(value: f64) -> i64 {
     cut.saturating_sub(i64::from(cut as f64 > number))
 }
 
+/// Column that an x `[m]` lies in.
+fn column(x: f64) -> i32 {
+    within_32_bits(number(x))
+}
+
 /// All overlaps of a network's roads.
 pub(super) fn find(network: &Network) -> Overlaps {
     let stretches: usize = network.roads.iter().map(|road| network.stations_of(road).len()).sum();
@@ -104,10 +109,12 @@ pub(super) fn find(network: &Network) -> Overlaps {
         most_steps: STEPS + STEPS_OF_A_STRETCH * stretches as u64,
     };
     let (mut places, mut cells) = (Vec::new(), Vec::new());
-    for strip in network.strips() {
+    let strips = network.strips();
+    let roads = network.roads_of(&strips);
+    for (strip, roads) in strips.iter().zip(&roads) {
         places.clear();
         cells.clear();
-        network.sort_into_cells(&strip, &mut places, &mut cells);
+        network.sort_into_cells(strip, roads, &mut places, &mut cells);
         cells.sort_unstable();
         for cell in cells.chunk_by(|a, b| a.0 == b.0) {
             search.look_in(&places, cell);
@@ -251,9 +258,7 @@ impl Network {
         let mut starts: Vec<(i32, u32)> = self
             .roads
             .iter()
-            .map(|road| {
-                (within_32_bits(number(road.bounds[0])), self.stations_of(road).len() as u32)
-            })
+            .map(|road| (column(road.bounds[0]), self.stations_of(road).len() as u32))
             .collect();
         starts.sort_unstable();
         let all: usize = starts.iter().map(|(_, count)| *count as usize).sum();
@@ -270,21 +275,32 @@ impl Network {
         strips
     }
 
-    /// Takes the stretches that lie in a strip, and the cells of it that each lies in.
+    /// Ranks of the roads that reach into each of some strips, ascending: each road is looked at once.
+    fn roads_of(&self, strips: &[RangeInclusive<i32>]) -> Vec<Vec<u32>> {
+        let mut roads = vec![Vec::new(); strips.len()];
+        for (rank, road) in self.roads.iter().enumerate() {
+            let [first, last] = [road.bounds[0], road.bounds[2]].map(column);
+            let from = strips.partition_point(|strip| *strip.end() < first);
+            let own = roads.iter_mut().zip(strips).skip(from);
+            own.take_while(|(_, strip)| *strip.start() <= last)
+                .for_each(|(roads, _)| roads.push(rank as u32));
+        }
+        roads
+    }
+
+    /// Takes the stretches of roads that lie in a strip, and the cells of it that each lies in.
     fn sort_into_cells(
         &self,
         strip: &RangeInclusive<i32>,
+        roads: &[u32],
         places: &mut Vec<StretchSummary>,
         cells: &mut Vec<(Cell, u32)>,
     ) {
-        let column = |x: f64| within_32_bits(number(x));
         let is_beside =
             |low: f64, high: f64| column(high) < *strip.start() || column(low) > *strip.end();
-        for (rank, road) in self.roads.iter().enumerate() {
+        let roads = roads.iter().filter_map(|rank| Some((*rank, self.roads.get(*rank as usize)?)));
+        for (rank, road) in roads {
             let [x0, _, x1, _] = road.bounds;
-            if is_beside(x0, x1) {
-                continue;
-            }
             let is_within = [x0, x1].into_iter().all(|x| strip.contains(&column(x)));
             // The ends of a cross-section that two stretches share are computed once.
             let (mut known, mut heading) = (None, Heading::default());
@@ -302,7 +318,7 @@ impl Network {
                 known = Some(ends.1);
                 let [from, to] = [(a, ends.0), (b, ends.1)]
                     .map(|(station, [left, right])| CrossSection { station, left, right });
-                let stretch = Stretch::between(rank, &from, &to);
+                let stretch = Stretch::between(rank as usize, &from, &to);
                 // A short one that is too narrow to be overlapped by more than a touch: there may be thousands in a metre.
                 let is_narrow = |stretch: &Stretch| b.s - a.s <= TOUCH && stretch.width() <= TOUCH;
                 let Some(stretch) = stretch.filter(|stretch| !is_narrow(stretch)) else { continue };
@@ -319,7 +335,7 @@ impl Network {
                         cells.push((cell(x, within_32_bits(y)), place));
                     }
                 }
-                let (road, station) = (rank as u32, station as u32);
+                let (road, station) = (rank, station as u32);
                 places.push(StretchSummary { road, station, s: stretch.s, z: stretch.z, bounds });
             }
         }
