@@ -85,12 +85,17 @@ impl Network {
         name
     }
 
-    /// Takes something that names an id, if it does.
-    pub(super) fn refer(&mut self, at: ReferencePlace, id: &Text, from: Name, span: Span) {
-        if let Some(id) = id {
-            let id = self.names.add(&id.value);
-            self.references.push(Reference::new(at, id, from, span));
-        }
+    /// Takes something that names an id, if it does; yields that id.
+    pub(super) fn refer(
+        &mut self,
+        at: ReferencePlace,
+        id: &Text,
+        from: Name,
+        span: Span,
+    ) -> Option<Name> {
+        let id = self.names.add(&id.as_ref()?.value);
+        self.references.push(Reference::new(at, id, from, span));
+        Some(id)
     }
 
     pub(super) fn add_objects(
@@ -137,14 +142,8 @@ impl Network {
             link.and_then(|link| link.predecessor.as_deref()),
             link.and_then(|link| link.successor.as_deref()),
         ];
-        for (end, at) in ends.iter().zip([NamedAt::Predecessor, NamedAt::Successor]) {
-            let Some(end) = end else { continue };
-            let kinds = match value(&end.element_type) {
-                Some(ElementType::Junction) => Kinds::Junction,
-                _ => Kinds::Road,
-            };
-            self.refer(at.of(kinds), &end.element_id, id, end.span);
-        }
+        let named = [NamedAt::Predecessor, NamedAt::Successor];
+        let links = [0, 1].map(|at| self.link_facts(named[at], ends[at]?, id));
         if let Some(objects) = &road.objects {
             self.add_objects(objects, NamedAt::RoadObject, id, Some(rank));
         }
@@ -157,7 +156,6 @@ impl Network {
         let elevations = road.elevation_profile.iter().flat_map(|profile| &profile.elevation);
         let has_elevation =
             elevations.flat_map(|e| [&e.a, &e.b, &e.c, &e.d]).any(|value| number(value) != 0.0);
-        let links = ends.map(|end| self.link_facts(end?));
         self.roads.push(RoadFacts {
             span: road.span,
             length: number(&road.length),
@@ -195,13 +193,13 @@ impl Network {
         }
     }
 
-    /// A link as it is kept.
-    fn link_facts(&mut self, link: &LinkedElement) -> Option<LinkFacts> {
-        let id = self.names.add(&link.element_id.as_ref()?.value);
-        let target = match value(&link.element_type) {
-            Some(ElementType::Junction) => LinkTarget::Junction(id),
-            _ => LinkTarget::Road(id),
+    /// A road's link as it is kept.
+    fn link_facts(&mut self, at: NamedAt, link: &LinkedElement, road: Name) -> Option<LinkFacts> {
+        let (kinds, target): (_, fn(Name) -> LinkTarget) = match value(&link.element_type) {
+            Some(ElementType::Junction) => (Kinds::Junction, LinkTarget::Junction),
+            _ => (Kinds::Road, LinkTarget::Road),
         };
+        let target = target(self.refer(at.of(kinds), &link.element_id, road, link.span)?);
         Some(LinkFacts {
             span: link.span,
             target,

@@ -114,13 +114,16 @@ impl Network {
         if value(&junction.r#type) == Some(JunctionType::Virtual) {
             self.refer(road(NamedAt::MainRoad), &junction.main_road, from, junction.span);
         }
+        let mut named = Vec::with_capacity(junction.connection.len());
         for c in &junction.connection {
             // Connections of virtual junctions may come from nowhere.
-            if text(&c.incoming_road) != "-1" {
-                self.refer(road(NamedAt::IncomingRoad), &c.incoming_road, from, c.span);
-            }
-            self.refer(road(NamedAt::ConnectingRoad), &c.connecting_road, from, c.span);
-            self.refer(road(NamedAt::LinkedRoad), &c.linked_road, from, c.span);
+            let comes = text(&c.incoming_road) != "-1";
+            let roads = [
+                (NamedAt::IncomingRoad, comes.then_some(&c.incoming_road)),
+                (NamedAt::ConnectingRoad, Some(&c.connecting_road)),
+                (NamedAt::LinkedRoad, Some(&c.linked_road)),
+            ];
+            named.push(roads.map(|(at, id)| self.refer(road(at), id?, from, c.span)));
         }
         for priority in &junction.priority {
             self.refer(road(NamedAt::PriorityHigh), &priority.high, from, priority.span);
@@ -144,7 +147,7 @@ impl Network {
         if let Some(objects) = &junction.objects {
             self.add_objects(objects, NamedAt::JunctionObject, from, None);
         }
-        let connections = self.add_connections(junction);
+        let connections = self.add_connections(junction, &named);
         let (controllers, priorities) = self.add_right_of_way(junction);
         let written = || Box::new(Junction { objects: None, ..junction.clone() });
         self.junctions.push(JunctionFacts {
@@ -158,9 +161,10 @@ impl Network {
         });
     }
 
-    fn add_connections(&mut self, junction: &Junction) -> Range<u32> {
+    /// Takes a junction's connections, with the ids of roads that each refers to.
+    fn add_connections(&mut self, junction: &Junction, named: &[[Option<Name>; 3]]) -> Range<u32> {
         let before = self.connections.len() as u32;
-        for c in &junction.connection {
+        for (c, [incoming, connecting, linked]) in junction.connection.iter().zip(named) {
             let first = self.connected_lanes.len() as u32;
             let lanes = c.lane_link.iter().map(|link| ConnectedLanes {
                 span: link.span,
@@ -168,15 +172,14 @@ impl Network {
                 to: value(&link.to),
             });
             self.connected_lanes.extend(lanes);
-            let [id, incoming, connecting, linked] =
-                [&c.id, &c.incoming_road, &c.connecting_road, &c.linked_road]
-                    .map(|id| self.names.add(text(id)));
+            let id = self.names.add(text(&c.id));
+            let incoming = incoming.unwrap_or_else(|| self.names.add(text(&c.incoming_road)));
             self.connections.push(ConnectionFacts {
                 span: c.span,
                 id,
                 incoming,
-                connecting,
-                linked,
+                connecting: connecting.unwrap_or_default(),
+                linked: linked.unwrap_or_default(),
                 lane_links: first..self.connected_lanes.len() as u32,
                 contact: contact(&c.contact_point),
             });
