@@ -7,7 +7,7 @@ use crate::generated::annotation_rows::{
 };
 use crate::generated::rows::Rows;
 use crate::generated::tables::Tables;
-use crate::hashed::Folding;
+use crate::hashed::KeyedHash;
 use crate::points::low;
 use std::collections::HashMap;
 
@@ -130,7 +130,7 @@ impl<'a> Tables<'a> {
 impl Rows {
     /// Writes annotations, which are ordered by the kinds and rows of their owners and have these and their lines in full.
     pub fn set_annotations(&mut self, all: &[AnnotationRow]) {
-        let mut numbers = HashMap::with_hasher(Folding::default());
+        let mut numbers = HashMap::with_hasher(KeyedHash::default());
         let (mut rows, mut order, mut blocks) = (Vec::new(), Vec::new(), Vec::new());
         let (mut owner_kind, mut owner, mut line) = (0, 0, 0);
         for (i, row) in all.iter().enumerate() {

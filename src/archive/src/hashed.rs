@@ -27,15 +27,15 @@ impl Hasher for Hashed {
 
 /// Hashes bytes sixteen at a time, with a key: compiling asks for some ten hashes for each lane, most of them of a few bytes.
 ///
-/// Who does not know the key cannot write a file of texts that have one hash. With [`Folding::fixed`] hashes are the same in every
+/// Who does not know the key cannot write a file of texts that have one hash. With [`KeyedHash::fixed`] hashes are the same in every
 /// run, and whoever takes them says what becomes of different things with one hash.
 #[derive(Clone, Copy, Debug)]
-pub struct Folding {
+pub struct KeyedHash {
     key: u64,
     state: u64,
 }
 
-impl Default for Folding {
+impl Default for KeyedHash {
     /// With a key of its own.
     fn default() -> Self {
         let random = RandomState::new();
@@ -43,7 +43,7 @@ impl Default for Folding {
     }
 }
 
-impl Folding {
+impl KeyedHash {
     /// With a key that is always the same: digits of the circle's number.
     pub fn fixed() -> Self {
         Self { key: 0x243f_6a88_85a3_08d3, state: 0x1319_8a2e_0370_7344 }
@@ -64,14 +64,14 @@ impl Folding {
     }
 }
 
-impl Hasher for Folding {
+impl Hasher for KeyedHash {
     fn finish(&self) -> u64 {
         self.state
     }
 
     #[inline]
     fn write(&mut self, bytes: &[u8]) {
-        // No text can make up for another length, which nobody knows in multiples of the key.
+        // Texts of zeros differ in their lengths alone.
         self.state = self.state.wrapping_add(self.key.wrapping_mul(bytes.len() as u64));
         let (all, rest) = bytes.as_chunks::<16>();
         for sixteen in all {
@@ -85,7 +85,7 @@ impl Hasher for Folding {
     }
 }
 
-impl BuildHasher for Folding {
+impl BuildHasher for KeyedHash {
     type Hasher = Self;
 
     fn build_hasher(&self) -> Self {
@@ -113,7 +113,7 @@ mod tests {
     /// Texts that differ in a single bit or in their length, as ids and rows of zeros do, have hashes that differ in both of their halves.
     #[test]
     fn what_differs_has_other_hashes() {
-        for folding in [Folding::fixed(), Folding::default()] {
+        for hash in [KeyedHash::fixed(), KeyedHash::default()] {
             let mut texts = HashSet::from([Vec::new()]);
             for length in 1..=80_usize {
                 texts.insert(vec![0; length]);
@@ -124,7 +124,7 @@ mod tests {
                     texts.insert(text);
                 }
             }
-            let hashes: HashSet<u64> = texts.iter().map(|text| folding.of(text)).collect();
+            let hashes: HashSet<u64> = texts.iter().map(|text| hash.of(text)).collect();
             assert_eq!(hashes.len(), texts.len());
             for half in [0, 32] {
                 let halves: HashSet<u32> = hashes.iter().map(|h| (h >> half) as u32).collect();

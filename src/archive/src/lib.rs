@@ -87,7 +87,7 @@ pub use generated::{
 pub use graph_codes::{ConflictKind, EdgeKind, VehicleClass, edge_flags, node_flags};
 // For the compiler, which keeps sequences of rows as this crate keeps strings.
 #[doc(hidden)]
-pub use hashed::{ByHash, Folding, Hashed};
+pub use hashed::{ByHash, Hashed, KeyedHash};
 pub use header::{HEADER_LENGTH, Header, MAGIC, Provenance};
 pub use lane_row::{MOST_OF_LANE, NOT_BESIDE, beside_of, beside_row, section_step};
 pub use mark_codes::{MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight};

@@ -1,6 +1,6 @@
 //! The string table while it is filled: each text once.
 
-use crate::hashed::{ByHash, Folding};
+use crate::hashed::{ByHash, KeyedHash};
 
 /// Collects the strings that rows name and gives each a number, in the order in which they are added. String 0 is empty.
 ///
@@ -10,14 +10,14 @@ use crate::hashed::{ByHash, Folding};
 pub struct StringTable {
     /// Numbers by the hashes of their texts; where one is taken by another text, by the next that is not.
     numbers: ByHash<u32>,
-    hasher: Folding,
+    hasher: KeyedHash,
     bytes: Vec<u8>,
     offsets: Vec<u32>,
 }
 
 impl Default for StringTable {
     fn default() -> Self {
-        let (numbers, hasher) = (ByHash::default(), Folding::default());
+        let (numbers, hasher) = (ByHash::default(), KeyedHash::default());
         Self { numbers, hasher, bytes: Vec::new(), offsets: vec![0; 2] }
     }
 }

@@ -16,7 +16,7 @@ pub(crate) struct Writing<'a> {
     more: SyncSender<()>,
 }
 
-/// What a file's disk is doing.
+/// A thread that has the system write a file to its disk.
 pub(crate) struct Syncing<'scope, 'a> {
     file: &'a File,
     /// None where the system has no thread left.
@@ -69,5 +69,45 @@ impl Write for Writing<'_> {
 impl Seek for Writing<'_> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         self.file.seek(to)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::os::fd::OwnedFd;
+
+    /// What a file holds that was written in pieces of some sizes, and whether its disk had it all.
+    fn check(file: &File, sizes: &[usize]) -> io::Result<()> {
+        std::thread::scope(|scope| {
+            let (mut writing, syncing) = begin(file, scope);
+            for size in sizes {
+                writing.write_all(&vec![b'm'; *size])?;
+            }
+            drop(writing);
+            syncing.finish()
+        })
+    }
+
+    #[test]
+    fn all_that_is_written_is_there_and_synced() {
+        let file = tempfile::tempfile().unwrap();
+        let sizes = [1, PART, PART - 1, 1, 3 * PART];
+        check(&file, &sizes).unwrap();
+        assert_eq!(file.metadata().unwrap().len(), sizes.iter().sum::<usize>() as u64);
+    }
+
+    /// A pipe has no disk, and its system says so.
+    #[test]
+    fn a_failure_of_the_disk_is_told_at_the_end() {
+        let (mut reader, writer) = io::pipe().unwrap();
+        let file = File::from(OwnedFd::from(writer));
+        let reading = std::thread::spawn(move || io::copy(&mut reader, &mut io::sink()));
+        for sizes in [&[1][..], &[PART, PART, 1]] {
+            let error = check(&file, sizes).unwrap_err();
+            assert_eq!(error.kind(), io::ErrorKind::InvalidInput, "{sizes:?}");
+        }
+        drop(file);
+        assert_eq!(reading.join().unwrap().unwrap(), 2 * PART as u64 + 2);
     }
 }

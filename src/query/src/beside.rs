@@ -35,7 +35,7 @@ impl Beside {
     #[inline]
     pub(crate) fn driven(&self, line: [f64; 2]) -> [f64; 2] {
         let [ahead, left] = self.run(line);
-        if ahead < 0.0 { [-ahead, -left] } else { [ahead, left] }
+        [ahead.abs(), if ahead < 0.0 { -left } else { left }]
     }
 
     /// Metres of the line per metre of s in plan view.

@@ -198,8 +198,6 @@ pub(crate) struct Entered {
     pub(crate) span: Span,
     /// Findings about it up to here.
     pub(crate) findings: usize,
-    /// Type of the element that was read last; empty where that is in the batch before.
-    pub(crate) kind: &'static str,
 }
 
 /// A batch that has been read.
@@ -207,8 +205,6 @@ pub struct ReadBatch {
     pub(crate) batch: Batch,
     /// Children of the root.
     pub(crate) parts: Vec<ReadPart>,
-    /// Type of the element that was read last; empty if none was.
-    pub(crate) kind: &'static str,
     /// What was found behind the last of them, and what was not kept.
     pub(crate) rest: Findings,
     /// Whether it ends between two top-level elements, and none of them is a header, from which on another version may count.
@@ -258,13 +254,12 @@ impl Context {
         cursor.scope = Scope::Batch;
         let mut root = known.root.clone();
         let (mut parts, mut has_header) = (Vec::new(), false);
-        cursor.kind = "";
         while !cursor.over {
             // Whether an element stands behind others is seen where batches are taken one after the other.
             root.order = 0;
             let step = cursor.next_child(&mut root);
             let findings = cursor.findings.kept();
-            let entered = Entered { span: cursor.tag.span, findings, kind: cursor.kind };
+            let entered = Entered { span: cursor.tag.span, findings };
             let (slot, part) = match step {
                 NextChild::Child(slot) => match read_document::item(slot, &mut cursor) {
                     Some(item) => {
@@ -285,8 +280,7 @@ impl Context {
             && !cursor.window.passed_limit
             && !has_header;
         let rest = std::mem::replace(&mut cursor.findings, Findings::new(0));
-        let kind = cursor.kind;
         let batch = Batch { text: cursor.window.into_text(), start, notes };
-        ReadBatch { batch, parts, kind, rest, is_whole }
+        ReadBatch { batch, parts, rest, is_whole }
     }
 }

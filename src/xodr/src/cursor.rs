@@ -325,6 +325,8 @@ impl<'a> Cursor<'a> {
             return NextChild::End;
         }
         loop {
+            // What is found between children is the element's own, whatever was read within them.
+            self.kind = open.schema.name;
             let text = match (open.schema.content, open.schema.any) {
                 (Some(_), _) => Text::Content,
                 (None, true) => Text::Any,
@@ -465,7 +467,7 @@ impl<'a> Cursor<'a> {
         self.add_by_standard(rule, severity, span, detail, |_| message);
     }
 
-    /// As [`Self::add`], with a message that names the standard; it is made only where the finding is kept.
+    /// As [`Self::add`], with a message that is made only where the finding is kept, from the standard's name.
     pub(crate) fn add_by_standard(
         &mut self,
         rule: &'static str,

@@ -61,7 +61,8 @@ impl Findings {
         Self { kept: Vec::new(), counts, more: Vec::new(), limit, errors: 0 }
     }
 
-    /// Kinds of which no more are kept, so that a collector for what comes later need not keep any.
+    /// Kinds of which no more are kept, so that a collector for what comes later need not keep any: half as many as are told apart,
+    /// so that it has room for others.
     pub(crate) fn used_up(&self) -> Counts {
         let kinds = self.more.iter().take(KINDS / 2);
         kinds.map(|(kind, _)| (kind.clone(), (self.limit, None))).collect()

@@ -306,8 +306,8 @@ impl<'a> Reader<'a> {
         Some(RestOfDocument { context, cutter: Cutter::new(rest, &cursor.prefix) })
     }
 
-    /// What the next batch that is begun needs to know, from what [`Reader::split`] gave: what was found so far by kind, too, so that
-    /// findings that would not be kept are only counted.
+    /// The context for the next batch: that of [`Reader::split`], with the kinds of findings of which no more are kept by now. Of those the
+    /// batch only counts what it finds.
     pub fn context(&self, split: &Context) -> Context {
         split.with_used_up(self.cursor.findings.used_up())
     }
@@ -327,18 +327,15 @@ impl<'a> Reader<'a> {
         for ReadPart { slot, part, findings, entered } in read.parts {
             let child = slot.and_then(|slot| root.schema.children.get(slot));
             let misplaced = child.filter(|child| child.order < root.order).map(|child| {
-                let kind = if entered.kind.is_empty() { cursor.kind } else { entered.kind };
                 let (name, message) = (child.name, cursor.misplaced(root, child));
-                Misplaced { name, entered: Entered { kind, ..entered }, message }
+                Misplaced { name, entered, message }
             });
             if let Some(slot) = slot {
                 cursor.count(root, slot);
             }
             self.accepted.push_back(Accepted::Child(part, findings, misplaced));
         }
-        if !read.kind.is_empty() {
-            cursor.kind = read.kind;
-        }
+        cursor.kind = root.schema.name;
         self.accepted.push_back(Accepted::Rest(read.rest));
         Ok(read.batch.text)
     }
@@ -363,10 +360,8 @@ impl<'a> Reader<'a> {
                         let behind = findings.split_off(entered.findings.min(findings.len()));
                         findings.into_iter().for_each(|kept| cursor.findings.add_again(kept));
                         findings = behind;
-                        let kind = std::mem::replace(&mut cursor.kind, entered.kind);
                         let (rule, severity) = (rule_ids::ORDER, Severity::Warning);
                         cursor.add(rule, severity, entered.span, name, message);
-                        cursor.kind = kind;
                     }
                     findings.into_iter().for_each(|kept| cursor.findings.add_again(kept));
                     match part {

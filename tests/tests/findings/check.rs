@@ -200,6 +200,35 @@ fn limits_are_options() {
     }
 }
 
+/// What was found between the children of an element counted for whichever element within them was read last. So it was told again for each kind
+/// of those, and how often depended on the number of threads.
+#[test]
+fn what_is_between_children_is_their_parents() {
+    const ROADS: usize = 2000;
+    let road = |id: usize| {
+        let inner = ["", "<objects/>", "<signals/>"][id % 3];
+        format!(
+            "<road id=\"{id}\" length=\"10\" junction=\"-1\">{PLAN}\n{LANES}\n{inner}</road><u/>\n"
+        )
+    };
+    let roads: String = (2..2 + ROADS).map(road).collect();
+    let junction = "<junction id=\"7\" name=\"\"/>\n";
+    let text = document("").replace("</OpenDRIVE>", &format!("{junction}{roads}</OpenDRIVE>"));
+    let told = |threads: &str| {
+        let (out, _) =
+            check("a.xodr", text.as_bytes(), &["--max-findings", "2", "--threads", threads]);
+        let structure = out.lines().filter(|line| line.contains("[mapd:structure."));
+        structure.map(str::to_owned).collect::<Vec<_>>()
+    };
+    let one = told("1");
+    for kind in ["(OpenDrive, road)", "(OpenDrive, u)"] {
+        let all = format!("{} more findings like this {kind}", ROADS - 2);
+        assert_eq!(one.iter().filter(|line| line.contains(&all)).count(), 1, "{one:#?}");
+    }
+    assert_eq!(told("2"), one);
+    assert_eq!(told("8"), one);
+}
+
 #[test]
 fn it_ends_as_the_other_commands_do() {
     assert_eq!(run(Path::new("no/such.xodr"), &[]).status.code(), Some(1));

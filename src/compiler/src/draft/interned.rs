@@ -4,7 +4,7 @@
 //! curvatures, and its crossings few shapes. Stored once, they take less room, and few of them are waited for.
 
 use bytemuck::NoUninit;
-use mapd_archive::{ByHash, Folding, Range, RowMapping};
+use mapd_archive::{ByHash, KeyedHash, Range, RowMapping};
 
 /// Where sequences of the rows of one table lie, by a hash of their bytes.
 #[derive(Default)]
@@ -23,7 +23,8 @@ impl Interned {
     /// Takes the rows from `before` on; where the same ones are there already, those stand for them.
     pub(crate) fn add<T: NoUninit>(&mut self, rows: &mut Vec<T>, before: usize) -> Range {
         let Some(new) = rows.get(before..) else { return Range::default() };
-        let hash = Folding::fixed().of(bytemuck::cast_slice(new));
+        // Who writes different sequences with one hash on purpose makes his archive larger, no more.
+        let hash = KeyedHash::fixed().of(bytemuck::cast_slice(new));
         self.add_hashed(rows, before, hash)
     }
 

@@ -2,16 +2,16 @@
 
 use super::between;
 use mapd_archive::{
-    Folding, NONE, Range, RoadMarkRow, RoadMarkStyleRow, RowMapping, RowMappings, Rows,
+    KeyedHash, NONE, Range, RoadMarkRow, RoadMarkStyleRow, RowMapping, RowMappings, Rows,
 };
 use std::collections::HashMap;
 
 /// Numbers of the styles that have been written, by what they and their lines hold.
 #[derive(Default)]
 pub(crate) struct Styles {
-    known: HashMap<Vec<u8>, u32, Folding>,
+    known: HashMap<Vec<u8>, u32, KeyedHash>,
     /// First rows of sequences of marks, by what they hold.
-    sequences: HashMap<Vec<u8>, u32, Folding>,
+    sequences: HashMap<Vec<u8>, u32, KeyedHash>,
     /// Room for what is looked up: nearly all of it is there already.
     style: Vec<u8>,
     /// The sequence that is being taken.

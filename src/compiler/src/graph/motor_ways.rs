@@ -215,9 +215,9 @@ impl MotorWays {
                 if there < *known {
                     *known = there;
                     // It is read when its turn comes, and by then it is at hand.
-                    let to = exit.to as usize;
-                    prefetch(&self.members[self.positions(to..to + 1)]);
-                    prefetch(self.exits(to));
+                    let to = self.trees[exit.to as usize];
+                    self.members.get(to.members as usize).into_iter().for_each(prefetch);
+                    self.exits.get(to.exits as usize).into_iter().for_each(prefetch);
                     open.push(Reverse(OpenTree::new(exit.to, there)));
                 }
             }

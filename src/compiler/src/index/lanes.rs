@@ -255,11 +255,12 @@ fn leaf<'a>(
     let mut line = None;
     for (segment, place) in segments.iter_mut().zip(places.clone()) {
         // Segments of one lane stand behind each other.
-        if lanes.last().is_none_or(|(lane, _)| *lane != place.lane)
-            && let Some((center, borders)) = lines_of(map, place.lane)
-        {
-            lanes.push((place.lane, borders));
-            line = Some(center);
+        if lanes.last().is_none_or(|(lane, _)| *lane != place.lane) {
+            let lines = lines_of(map, place.lane);
+            line = lines.map(|(center, borders)| {
+                lanes.push((place.lane, borders));
+                center
+            });
         }
         let ends = line.map_or_else(Default::default, |line| ends(&line, place.segment));
         for end in ends.map(|end| end.place.truncate()) {

@@ -47,6 +47,7 @@ impl<'m, 'a> Cuts<'m, 'a> {
     }
 
     /// A place of a lane, counted from the left, at s, relative to the local origin; `t` chooses between its edges.
+    // There once for all that sample: it is long.
     #[inline(never)]
     pub(crate) fn place(
         &mut self,

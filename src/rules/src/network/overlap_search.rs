@@ -86,7 +86,7 @@ fn within_32_bits(number: i64) -> i32 {
 /// Column or row that a coordinate `[m]` lies in.
 fn number(value: f64) -> i64 {
     let number = value / CELL;
-    // `floor`, which is a call on processors that need not have it.
+    // Rounded down. `floor` would be a call: not every x86-64 has an instruction for it.
     let cut = number as i64;
     cut.saturating_sub(i64::from(cut as f64 > number))
 }
