@@ -68,7 +68,7 @@ const BLOCKS: usize = 12;
 /// Times that it is compiled in the short and in the long run.
 const COMPILATIONS: [usize; 2] = [1, 3];
 /// Instructions that compiling may take per byte of OpenDRIVE, without landmarks: as for queries.
-const PER_BYTE: f64 = 389.0;
+const PER_BYTE: f64 = 347.0;
 /// Most that compiling may take with a patch of some roads, as a share of what it takes without.
 const PATCHED: f64 = 1.10;
 
