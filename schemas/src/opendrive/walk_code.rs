@@ -33,18 +33,6 @@ fn walk(element: &Element) -> String {
     // What the archive has no place of its own for.
     let kept: Vec<_> = element.attributes.iter().filter(|a| a.mapd.is_none()).collect();
     let content = element.content.is_some() && element.mapd.is_none();
-    let mut is_bare = "self.extensions.as_slice().is_empty()".to_owned();
-    for one in &element.children {
-        let all = if one.repeats() { "iter().all" } else { "as_deref().is_none_or" };
-        let _ = write!(is_bare, " && self.{}.{all}(Written::is_bare)", child_field(element, one));
-    }
-    for attribute in &kept {
-        let _ = write!(is_bare, " && self.{}.is_none()", field(&attribute.name));
-    }
-    if content {
-        is_bare += " && self.content.is_none()";
-    }
-    let _ = writeln!(out, "fn is_bare(&self) -> bool {{ {is_bare} }}");
     if !kept.is_empty() || content {
         out += "fn kept(&self, to: Keep<'_>) {\n";
         for attribute in kept {

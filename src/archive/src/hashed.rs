@@ -27,7 +27,7 @@ impl Hasher for Hashed {
 
 /// Hashes bytes sixteen at a time, with a key: compiling asks for some ten hashes for each lane, most of them of a few bytes.
 ///
-/// Who does not know the key cannot write a file of texts that have one hash. With [`KeyedHash::fixed`] hashes are the same in every
+/// Who does not know the key cannot tell which texts have one hash. With [`KeyedHash::fixed`] hashes are the same in every
 /// run, and whoever takes them says what becomes of different things with one hash.
 #[derive(Clone, Copy, Debug)]
 pub struct KeyedHash {

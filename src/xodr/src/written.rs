@@ -20,12 +20,17 @@ pub trait Written {
     fn span(&self) -> Span;
     /// What stands inside beyond the standard's own elements.
     fn extensions(&self) -> &Extensions;
-    /// Whether neither it nor anything inside has an extension or an attribute to hand out.
-    fn is_bare(&self) -> bool;
     /// Hands out the attributes of which the table of OpenDRIVE says no use, where they are written.
     fn kept(&self, _to: Keep<'_>) {}
     /// Hands out the children, tag by tag, in file order.
     fn children(&self, _visit: Visit<'_>) {}
+    /// Whether neither it nor anything inside has an extension or an attribute to hand out.
+    fn is_bare(&self) -> bool {
+        let mut is_bare = self.extensions().as_slice().is_empty();
+        self.kept(&mut |_, _| is_bare = false);
+        self.children(&mut |_, _, child| is_bare = is_bare && child.is_bare());
+        is_bare
+    }
 }
 
 /// A value that can be written again.

@@ -23,7 +23,7 @@ impl Interned {
     /// Takes the rows from `before` on; where the same ones are there already, those stand for them.
     pub(crate) fn add<T: NoUninit>(&mut self, rows: &mut Vec<T>, before: usize) -> Range {
         let Some(new) = rows.get(before..) else { return Range::default() };
-        // Who writes different sequences with one hash on purpose makes his archive larger, no more.
+        // Different sequences with one hash, written on purpose, make the archive larger, no more.
         let hash = KeyedHash::fixed().of(bytemuck::cast_slice(new));
         self.add_hashed(rows, before, hash)
     }

@@ -16,11 +16,6 @@ impl Written for DataQuality {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.error.as_deref().is_none_or(Written::is_bare)
-            && self.raw_data.as_deref().is_none_or(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         child("error", &self.error, visit);
         child("rawData", &self.raw_data, visit);
@@ -36,13 +31,6 @@ impl Written for DataError {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.xy_absolute.is_none()
-            && self.z_absolute.is_none()
-            && self.xy_relative.is_none()
-            && self.z_relative.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("xyAbsolute", &self.xy_absolute, to);
@@ -61,14 +49,6 @@ impl Written for RawData {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.date.is_none()
-            && self.source.is_none()
-            && self.source_comment.is_none()
-            && self.post_processing.is_none()
-            && self.post_processing_comment.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("date", &self.date, to);
@@ -89,9 +69,6 @@ impl Written for Include {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.file.is_none()
-    }
     fn kept(&self, to: Keep<'_>) {
         keep("file", &self.file, to);
     }
@@ -106,9 +83,6 @@ impl Written for UserData {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.code.is_none() && self.value.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("code", &self.code, to);

@@ -16,9 +16,6 @@ impl Written for Controller {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.control.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("control", &self.control, visit);
     }
@@ -33,8 +30,5 @@ impl Written for Control {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }

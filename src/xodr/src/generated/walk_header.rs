@@ -16,13 +16,6 @@ impl Written for Header {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.geo_reference.as_deref().is_none_or(Written::is_bare)
-            && self.offset.as_deref().is_none_or(Written::is_bare)
-            && self.license.as_deref().is_none_or(Written::is_bare)
-            && self.default_regulations.as_deref().is_none_or(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         child("geoReference", &self.geo_reference, visit);
         child("offset", &self.offset, visit);
@@ -41,9 +34,6 @@ impl Written for GeoReference {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for Offset {
@@ -56,9 +46,6 @@ impl Written for Offset {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for License {
@@ -70,13 +57,6 @@ impl Written for License {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.name.is_none()
-            && self.spdxid.is_none()
-            && self.text.is_none()
-            && self.resource.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("name", &self.name, to);
@@ -96,11 +76,6 @@ impl Written for DefaultRegulations {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.road_regulations.iter().all(Written::is_bare)
-            && self.signal_regulations.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("roadRegulations", &self.road_regulations, visit);
         children("signalRegulations", &self.signal_regulations, visit);
@@ -117,10 +92,6 @@ impl Written for RoadRegulation {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.semantics.as_deref().is_none_or(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         child("semantics", &self.semantics, visit);
     }
@@ -135,12 +106,6 @@ impl Written for SignalRegulation {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.semantics.as_deref().is_none_or(Written::is_bare)
-            && self.r#type.is_none()
-            && self.subtype.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("type", &self.r#type, to);

@@ -16,23 +16,6 @@ impl Written for Junction {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.connection.iter().all(Written::is_bare)
-            && self.road_section.iter().all(Written::is_bare)
-            && self.cross_path.iter().all(Written::is_bare)
-            && self.priority.iter().all(Written::is_bare)
-            && self.controller.iter().all(Written::is_bare)
-            && self.surface.as_deref().is_none_or(Written::is_bare)
-            && self.plan_view.as_deref().is_none_or(Written::is_bare)
-            && self.objects.as_deref().is_none_or(Written::is_bare)
-            && self.boundary.as_deref().is_none_or(Written::is_bare)
-            && self.elevation_grid.as_deref().is_none_or(Written::is_bare)
-            && self.main_road.is_none()
-            && self.s_start.is_none()
-            && self.s_end.is_none()
-            && self.orientation.is_none()
-    }
     fn kept(&self, to: Keep<'_>) {
         keep("mainRoad", &self.main_road, to);
         keep("sStart", &self.s_start, to);
@@ -63,13 +46,6 @@ impl Written for Connection {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.lane_link.iter().all(Written::is_bare)
-            && self.predecessor.as_deref().is_none_or(Written::is_bare)
-            && self.successor.as_deref().is_none_or(Written::is_bare)
-            && self.connection_master.is_none()
-    }
     fn kept(&self, to: Keep<'_>) {
         keep("connectionMaster", &self.connection_master, to);
     }
@@ -90,11 +66,6 @@ impl Written for JunctionLaneLink {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.from_layer.is_none()
-            && self.to_layer.is_none()
-    }
     fn kept(&self, to: Keep<'_>) {
         keep("fromLayer", &self.from_layer, to);
         keep("toLayer", &self.to_layer, to);
@@ -111,9 +82,6 @@ impl Written for ConnectionEnd {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.element_type.is_none()
-    }
     fn kept(&self, to: Keep<'_>) {
         keep("elementType", &self.element_type, to);
     }
@@ -128,13 +96,6 @@ impl Written for RoadSection {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.id.is_none()
-            && self.road_id.is_none()
-            && self.s_start.is_none()
-            && self.s_end.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("id", &self.id, to);
@@ -153,12 +114,6 @@ impl Written for CrossPath {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.start_lane_link.as_deref().is_none_or(Written::is_bare)
-            && self.end_lane_link.as_deref().is_none_or(Written::is_bare)
-            && self.id.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("id", &self.id, to);
@@ -179,9 +134,6 @@ impl Written for CrossPathLaneLink {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for Priority {
@@ -193,9 +145,6 @@ impl Written for Priority {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -209,9 +158,6 @@ impl Written for JunctionController {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for Boundary {
@@ -223,9 +169,6 @@ impl Written for Boundary {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.segment.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("segment", &self.segment, visit);
@@ -241,12 +184,6 @@ impl Written for BoundarySegment {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.boundary_lane.is_none()
-            && self.s_start.is_none()
-            && self.s_end.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("boundaryLane", &self.boundary_lane, to);
@@ -265,9 +202,6 @@ impl Written for ElevationGrid {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.elevation.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("elevation", &self.elevation, visit);
     }
@@ -283,9 +217,6 @@ impl Written for GridElevation {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for JunctionGroup {
@@ -297,10 +228,6 @@ impl Written for JunctionGroup {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.junction_reference.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("junctionReference", &self.junction_reference, visit);
@@ -317,9 +244,6 @@ impl Written for JunctionReference {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for JunctionSurface {
@@ -331,9 +255,6 @@ impl Written for JunctionSurface {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.crg.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("CRG", &self.crg, visit);
@@ -349,22 +270,6 @@ impl Written for JunctionCrg {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.file.is_none()
-            && self.s_start.is_none()
-            && self.s_end.is_none()
-            && self.orientation.is_none()
-            && self.mode.is_none()
-            && self.purpose.is_none()
-            && self.s_offset.is_none()
-            && self.t_offset.is_none()
-            && self.x_offset.is_none()
-            && self.y_offset.is_none()
-            && self.z_offset.is_none()
-            && self.z_scale.is_none()
-            && self.h_offset.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("file", &self.file, to);

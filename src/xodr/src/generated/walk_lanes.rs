@@ -16,11 +16,6 @@ impl Written for Lanes {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.lane_offset.iter().all(Written::is_bare)
-            && self.lane_section.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("laneOffset", &self.lane_offset, visit);
         children("laneSection", &self.lane_section, visit);
@@ -37,9 +32,6 @@ impl Written for LaneOffset {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for LaneSection {
@@ -51,13 +43,6 @@ impl Written for LaneSection {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.left.as_deref().is_none_or(Written::is_bare)
-            && self.center.as_deref().is_none_or(Written::is_bare)
-            && self.right.as_deref().is_none_or(Written::is_bare)
-            && self.length.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("length", &self.length, to);
@@ -79,9 +64,6 @@ impl Written for LaneSectionSide {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.lane.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("lane", &self.lane, visit);
     }
@@ -96,23 +78,6 @@ impl Written for Lane {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.link.as_deref().is_none_or(Written::is_bare)
-            && self.border.iter().all(Written::is_bare)
-            && self.width.iter().all(Written::is_bare)
-            && self.road_mark.iter().all(Written::is_bare)
-            && self.material.iter().all(Written::is_bare)
-            && self.visibility.iter().all(Written::is_bare)
-            && self.speed.iter().all(Written::is_bare)
-            && self.access.iter().all(Written::is_bare)
-            && self.height.iter().all(Written::is_bare)
-            && self.rule.iter().all(Written::is_bare)
-            && self.advisory.is_none()
-            && self.dynamic_lane_type.is_none()
-            && self.dynamic_lane_direction.is_none()
-            && self.road_works.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("advisory", &self.advisory, to);
@@ -144,11 +109,6 @@ impl Written for LaneLink {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.predecessor.iter().all(Written::is_bare)
-            && self.successor.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("predecessor", &self.predecessor, visit);
         children("successor", &self.successor, visit);
@@ -165,9 +125,6 @@ impl Written for LinkedLane {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.layer.is_none()
-    }
     fn kept(&self, to: Keep<'_>) {
         keep("layer", &self.layer, to);
     }
@@ -183,9 +140,6 @@ impl Written for LaneBorder {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for LaneWidth {
@@ -197,9 +151,6 @@ impl Written for LaneWidth {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -213,9 +164,6 @@ impl Written for LaneMaterial {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for LaneSpeed {
@@ -227,9 +175,6 @@ impl Written for LaneSpeed {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -243,9 +188,6 @@ impl Written for LaneVisibility {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for LaneAccess {
@@ -257,10 +199,6 @@ impl Written for LaneAccess {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.restriction_element.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("restriction", &self.restriction_element, visit);
@@ -277,9 +215,6 @@ impl Written for AccessRestriction {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for LaneHeight {
@@ -291,9 +226,6 @@ impl Written for LaneHeight {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -307,9 +239,6 @@ impl Written for LaneRule {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for LaneSectionCenter {
@@ -321,9 +250,6 @@ impl Written for LaneSectionCenter {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.lane.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("lane", &self.lane, visit);
@@ -339,18 +265,6 @@ impl Written for CenterLane {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.link.as_deref().is_none_or(Written::is_bare)
-            && self.border.iter().all(Written::is_bare)
-            && self.width.iter().all(Written::is_bare)
-            && self.road_mark.iter().all(Written::is_bare)
-            && self.material.iter().all(Written::is_bare)
-            && self.speed.iter().all(Written::is_bare)
-            && self.access.iter().all(Written::is_bare)
-            && self.height.iter().all(Written::is_bare)
-            && self.rule.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("link", &self.link, visit);

@@ -16,13 +16,6 @@ impl Written for Outline {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.corner_road.iter().all(Written::is_bare)
-            && self.corner_local.iter().all(Written::is_bare)
-            && self.curve_local.iter().all(Written::is_bare)
-            && self.markings.as_deref().is_none_or(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("cornerRoad", &self.corner_road, visit);
         children("cornerLocal", &self.corner_local, visit);
@@ -41,9 +34,6 @@ impl Written for CornerRoad {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for CornerLocal {
@@ -56,9 +46,6 @@ impl Written for CornerLocal {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for CurveLocal {
@@ -70,12 +57,6 @@ impl Written for CurveLocal {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.arc.as_deref().is_none_or(Written::is_bare)
-            && self.line.as_deref().is_none_or(Written::is_bare)
-            && self.param_poly3.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("arc", &self.arc, visit);
@@ -94,9 +75,6 @@ impl Written for CurveLocalArc {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for CurveLocalLine {
@@ -108,9 +86,6 @@ impl Written for CurveLocalLine {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -124,9 +99,6 @@ impl Written for CurveLocalParamPoly3 {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for Markings {
@@ -138,9 +110,6 @@ impl Written for Markings {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.marking.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("marking", &self.marking, visit);
@@ -157,9 +126,6 @@ impl Written for Marking {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.corner_reference.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("cornerReference", &self.corner_reference, visit);
     }
@@ -175,9 +141,6 @@ impl Written for CornerReference {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for Outlines {
@@ -189,9 +152,6 @@ impl Written for Outlines {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.outline.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("outline", &self.outline, visit);
@@ -208,9 +168,6 @@ impl Written for ObjectBorders {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.border.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("border", &self.border, visit);
     }
@@ -225,9 +182,6 @@ impl Written for ObjectBorder {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.corner_reference.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("cornerReference", &self.corner_reference, visit);
@@ -244,9 +198,6 @@ impl Written for Skeleton {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.polyline.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("polyline", &self.polyline, visit);
     }
@@ -261,12 +212,6 @@ impl Written for Polyline {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.vertex_road.iter().all(Written::is_bare)
-            && self.vertex_local.iter().all(Written::is_bare)
-            && self.id.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("id", &self.id, to);
@@ -287,9 +232,6 @@ impl Written for VertexRoad {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.id.is_none()
-    }
     fn kept(&self, to: Keep<'_>) {
         keep("id", &self.id, to);
     }
@@ -304,9 +246,6 @@ impl Written for VertexLocal {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.id.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("id", &self.id, to);

@@ -16,13 +16,6 @@ impl Written for Objects {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.object.iter().all(Written::is_bare)
-            && self.object_reference.iter().all(Written::is_bare)
-            && self.tunnel.iter().all(Written::is_bare)
-            && self.bridge.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("object", &self.object, visit);
         children("objectReference", &self.object_reference, visit);
@@ -40,19 +33,6 @@ impl Written for Object {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.repeat.iter().all(Written::is_bare)
-            && self.outline.as_deref().is_none_or(Written::is_bare)
-            && self.outlines.as_deref().is_none_or(Written::is_bare)
-            && self.material.iter().all(Written::is_bare)
-            && self.validity.iter().all(Written::is_bare)
-            && self.parking_space.as_deref().is_none_or(Written::is_bare)
-            && self.markings.as_deref().is_none_or(Written::is_bare)
-            && self.borders.as_deref().is_none_or(Written::is_bare)
-            && self.surface.as_deref().is_none_or(Written::is_bare)
-            && self.skeleton.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("repeat", &self.repeat, visit);
@@ -78,9 +58,6 @@ impl Written for ObjectRepeat {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for ObjectMaterial {
@@ -93,9 +70,6 @@ impl Written for ObjectMaterial {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for LaneValidity {
@@ -107,9 +81,6 @@ impl Written for LaneValidity {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.layer.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("layer", &self.layer, to);
@@ -126,9 +97,6 @@ impl Written for ParkingSpace {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.marking.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("marking", &self.marking, visit);
     }
@@ -144,9 +112,6 @@ impl Written for ParkingSpaceMarking {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for ObjectSurface {
@@ -158,9 +123,6 @@ impl Written for ObjectSurface {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.crg.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("CRG", &self.crg, visit);
@@ -176,12 +138,6 @@ impl Written for ObjectCrg {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.file.is_none()
-            && self.hide_road_surface_crg.is_none()
-            && self.z_scale.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("file", &self.file, to);
@@ -200,9 +156,6 @@ impl Written for ObjectReference {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.validity.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("validity", &self.validity, visit);
     }
@@ -218,9 +171,6 @@ impl Written for Tunnel {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.validity.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("validity", &self.validity, visit);
     }
@@ -235,9 +185,6 @@ impl Written for Bridge {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.validity.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("validity", &self.validity, visit);

@@ -16,9 +16,6 @@ impl Written for PlanView {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.geometry.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("geometry", &self.geometry, visit);
     }
@@ -33,14 +30,6 @@ impl Written for Geometry {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.line.as_deref().is_none_or(Written::is_bare)
-            && self.spiral.as_deref().is_none_or(Written::is_bare)
-            && self.arc.as_deref().is_none_or(Written::is_bare)
-            && self.poly3.as_deref().is_none_or(Written::is_bare)
-            && self.param_poly3.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("line", &self.line, visit);
@@ -61,9 +50,6 @@ impl Written for Line {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for Spiral {
@@ -75,9 +61,6 @@ impl Written for Spiral {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -91,9 +74,6 @@ impl Written for Arc {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for Poly3 {
@@ -106,9 +86,6 @@ impl Written for Poly3 {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for ParamPoly3 {
@@ -120,8 +97,5 @@ impl Written for ParamPoly3 {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }

@@ -16,9 +16,6 @@ impl Written for ElevationProfile {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.elevation.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("elevation", &self.elevation, visit);
     }
@@ -34,9 +31,6 @@ impl Written for Elevation {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for LateralProfile {
@@ -48,13 +42,6 @@ impl Written for LateralProfile {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.superelevation.iter().all(Written::is_bare)
-            && self.crossfall.iter().all(Written::is_bare)
-            && self.shape.iter().all(Written::is_bare)
-            && self.cross_section_surface.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("superelevation", &self.superelevation, visit);
@@ -74,9 +61,6 @@ impl Written for Superelevation {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for Crossfall {
@@ -88,9 +72,6 @@ impl Written for Crossfall {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -104,9 +85,6 @@ impl Written for Shape {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for CrossSectionSurface {
@@ -118,11 +96,6 @@ impl Written for CrossSectionSurface {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.t_offset.as_deref().is_none_or(Written::is_bare)
-            && self.surface_strips.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("tOffset", &self.t_offset, visit);
@@ -140,9 +113,6 @@ impl Written for SurfaceOffset {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.coefficients.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("coefficients", &self.coefficients, visit);
     }
@@ -158,9 +128,6 @@ impl Written for Coefficients {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for SurfaceStrips {
@@ -172,9 +139,6 @@ impl Written for SurfaceStrips {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.strip.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("strip", &self.strip, visit);
@@ -190,14 +154,6 @@ impl Written for Strip {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.width.as_deref().is_none_or(Written::is_bare)
-            && self.constant.as_deref().is_none_or(Written::is_bare)
-            && self.linear.as_deref().is_none_or(Written::is_bare)
-            && self.quadratic.as_deref().is_none_or(Written::is_bare)
-            && self.cubic.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("width", &self.width, visit);
@@ -218,9 +174,6 @@ impl Written for StripWidth {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.coefficients.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("coefficients", &self.coefficients, visit);
     }
@@ -235,9 +188,6 @@ impl Written for StripConstant {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.coefficients.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("coefficients", &self.coefficients, visit);
@@ -254,9 +204,6 @@ impl Written for StripLinear {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.coefficients.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("coefficients", &self.coefficients, visit);
     }
@@ -272,9 +219,6 @@ impl Written for StripQuadratic {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.coefficients.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("coefficients", &self.coefficients, visit);
     }
@@ -289,9 +233,6 @@ impl Written for StripCubic {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.coefficients.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("coefficients", &self.coefficients, visit);

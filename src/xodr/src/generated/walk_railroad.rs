@@ -16,9 +16,6 @@ impl Written for Railroad {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.switch.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("switch", &self.switch, visit);
     }
@@ -33,12 +30,6 @@ impl Written for Switch {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.main_track.as_deref().is_none_or(Written::is_bare)
-            && self.side_track.as_deref().is_none_or(Written::is_bare)
-            && self.partner.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("mainTrack", &self.main_track, visit);
@@ -57,9 +48,6 @@ impl Written for MainTrack {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for SideTrack {
@@ -72,9 +60,6 @@ impl Written for SideTrack {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for SwitchPartner {
@@ -86,9 +71,6 @@ impl Written for SwitchPartner {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.name.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("name", &self.name, to);
@@ -105,9 +87,6 @@ impl Written for Station {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.platform.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("platform", &self.platform, visit);
     }
@@ -123,9 +102,6 @@ impl Written for Platform {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.segment.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("segment", &self.segment, visit);
     }
@@ -140,8 +116,5 @@ impl Written for PlatformSegment {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }

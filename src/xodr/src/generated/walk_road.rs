@@ -16,19 +16,6 @@ impl Written for Road {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.link.as_deref().is_none_or(Written::is_bare)
-            && self.r#type.iter().all(Written::is_bare)
-            && self.plan_view.as_deref().is_none_or(Written::is_bare)
-            && self.elevation_profile.as_deref().is_none_or(Written::is_bare)
-            && self.lateral_profile.as_deref().is_none_or(Written::is_bare)
-            && self.lanes.iter().all(Written::is_bare)
-            && self.objects.as_deref().is_none_or(Written::is_bare)
-            && self.signals.as_deref().is_none_or(Written::is_bare)
-            && self.surface.as_deref().is_none_or(Written::is_bare)
-            && self.railroad.as_deref().is_none_or(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         child("link", &self.link, visit);
         children("type", &self.r#type, visit);
@@ -53,12 +40,6 @@ impl Written for RoadLink {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.predecessor.as_deref().is_none_or(Written::is_bare)
-            && self.successor.as_deref().is_none_or(Written::is_bare)
-            && self.neighbor.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         child("predecessor", &self.predecessor, visit);
         child("successor", &self.successor, visit);
@@ -76,9 +57,6 @@ impl Written for LinkedElement {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for Neighbor {
@@ -90,12 +68,6 @@ impl Written for Neighbor {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.side.is_none()
-            && self.element_id.is_none()
-            && self.direction.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("side", &self.side, to);
@@ -114,9 +86,6 @@ impl Written for RoadTypeRecord {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.speed.as_deref().is_none_or(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         child("speed", &self.speed, visit);
     }
@@ -132,9 +101,6 @@ impl Written for RoadSpeed {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for RoadSurface {
@@ -146,9 +112,6 @@ impl Written for RoadSurface {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.crg.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("CRG", &self.crg, visit);
@@ -164,22 +127,6 @@ impl Written for RoadCrg {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.file.is_none()
-            && self.s_start.is_none()
-            && self.s_end.is_none()
-            && self.orientation.is_none()
-            && self.mode.is_none()
-            && self.purpose.is_none()
-            && self.s_offset.is_none()
-            && self.t_offset.is_none()
-            && self.x_offset.is_none()
-            && self.y_offset.is_none()
-            && self.z_offset.is_none()
-            && self.z_scale.is_none()
-            && self.h_offset.is_none()
     }
     fn kept(&self, to: Keep<'_>) {
         keep("file", &self.file, to);

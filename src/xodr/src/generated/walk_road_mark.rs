@@ -16,12 +16,6 @@ impl Written for RoadMark {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.sway.iter().all(Written::is_bare)
-            && self.type_element.as_deref().is_none_or(Written::is_bare)
-            && self.explicit.as_deref().is_none_or(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("sway", &self.sway, visit);
         child("type", &self.type_element, visit);
@@ -39,9 +33,6 @@ impl Written for Sway {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for RoadMarkPattern {
@@ -53,9 +44,6 @@ impl Written for RoadMarkPattern {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.line.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("line", &self.line, visit);
@@ -72,9 +60,6 @@ impl Written for RoadMarkLine {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for ExplicitRoadMark {
@@ -86,9 +71,6 @@ impl Written for ExplicitRoadMark {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.line.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("line", &self.line, visit);
@@ -104,8 +86,5 @@ impl Written for ExplicitLine {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }

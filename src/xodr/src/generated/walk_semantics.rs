@@ -16,24 +16,6 @@ impl Written for Semantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.speed.iter().all(Written::is_bare)
-            && self.lane.iter().all(Written::is_bare)
-            && self.priority.iter().all(Written::is_bare)
-            && self.prohibited.iter().all(Written::is_bare)
-            && self.warning.iter().all(Written::is_bare)
-            && self.routing.iter().all(Written::is_bare)
-            && self.streetname.iter().all(Written::is_bare)
-            && self.parking.iter().all(Written::is_bare)
-            && self.tourist.iter().all(Written::is_bare)
-            && self.supplementary_time.iter().all(Written::is_bare)
-            && self.supplementary_allows.iter().all(Written::is_bare)
-            && self.supplementary_prohibits.iter().all(Written::is_bare)
-            && self.supplementary_distance.iter().all(Written::is_bare)
-            && self.supplementary_environment.iter().all(Written::is_bare)
-            && self.supplementary_explanatory.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("speed", &self.speed, visit);
         children("lane", &self.lane, visit);
@@ -63,12 +45,6 @@ impl Written for SpeedSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.type_element.as_deref().is_none_or(Written::is_bare)
-            && self.unit_element.as_deref().is_none_or(Written::is_bare)
-            && self.value_element.as_deref().is_none_or(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         child("type", &self.type_element, visit);
         child("unit", &self.unit_element, visit);
@@ -86,9 +62,6 @@ impl Written for SpeedSemanticsType {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for SpeedSemanticsUnit {
@@ -100,9 +73,6 @@ impl Written for SpeedSemanticsUnit {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -116,9 +86,6 @@ impl Written for SpeedSemanticsValue {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for LaneSemantics {
@@ -130,9 +97,6 @@ impl Written for LaneSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -146,9 +110,6 @@ impl Written for PrioritySemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for ProhibitedSemantics {
@@ -160,12 +121,6 @@ impl Written for ProhibitedSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.animal.iter().all(Written::is_bare)
-            && self.person.iter().all(Written::is_bare)
-            && self.vehicle.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("animal", &self.animal, visit);
@@ -184,9 +139,6 @@ impl Written for AnimalSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for PersonSemantics {
@@ -198,9 +150,6 @@ impl Written for PersonSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.r#type.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("type", &self.r#type, visit);
@@ -217,9 +166,6 @@ impl Written for PersonSemanticsType {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for VehicleSemantics {
@@ -231,9 +177,6 @@ impl Written for VehicleSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.r#type.as_deref().is_none_or(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         child("type", &self.r#type, visit);
@@ -250,9 +193,6 @@ impl Written for VehicleSemanticsType {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for WarningSemantics {
@@ -264,9 +204,6 @@ impl Written for WarningSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -280,9 +217,6 @@ impl Written for RoutingSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for StreetnameSemantics {
@@ -294,9 +228,6 @@ impl Written for StreetnameSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -310,9 +241,6 @@ impl Written for ParkingSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for TouristSemantics {
@@ -324,9 +252,6 @@ impl Written for TouristSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -340,9 +265,6 @@ impl Written for SupplementaryTimeSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for SupplementaryAllowsSemantics {
@@ -354,12 +276,6 @@ impl Written for SupplementaryAllowsSemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.animal.iter().all(Written::is_bare)
-            && self.person.iter().all(Written::is_bare)
-            && self.vehicle.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("animal", &self.animal, visit);
@@ -378,12 +294,6 @@ impl Written for SupplementaryProhibitsSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.animal.iter().all(Written::is_bare)
-            && self.person.iter().all(Written::is_bare)
-            && self.vehicle.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("animal", &self.animal, visit);
         children("person", &self.person, visit);
@@ -401,9 +311,6 @@ impl Written for SupplementaryDistanceSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for SupplementaryEnvironmentSemantics {
@@ -416,9 +323,6 @@ impl Written for SupplementaryEnvironmentSemantics {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for SupplementaryExplanatorySemantics {
@@ -430,8 +334,5 @@ impl Written for SupplementaryExplanatorySemantics {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }

@@ -16,11 +16,6 @@ impl Written for Signals {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.signal.iter().all(Written::is_bare)
-            && self.signal_reference.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("signal", &self.signal, visit);
         children("signalReference", &self.signal_reference, visit);
@@ -36,17 +31,6 @@ impl Written for Signal {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.validity.iter().all(Written::is_bare)
-            && self.dependency.iter().all(Written::is_bare)
-            && self.reference.iter().all(Written::is_bare)
-            && self.position_inertial.as_deref().is_none_or(Written::is_bare)
-            && self.position_road.as_deref().is_none_or(Written::is_bare)
-            && self.semantics.as_deref().is_none_or(Written::is_bare)
-            && self.static_board.iter().all(Written::is_bare)
-            && self.vms_board.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("validity", &self.validity, visit);
@@ -70,9 +54,6 @@ impl Written for SignalDependency {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for SignalLink {
@@ -84,9 +65,6 @@ impl Written for SignalLink {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
 
@@ -100,9 +78,6 @@ impl Written for PositionInertial {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for PositionRoad {
@@ -115,9 +90,6 @@ impl Written for PositionRoad {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for StaticBoard {
@@ -129,13 +101,6 @@ impl Written for StaticBoard {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.validity.iter().all(Written::is_bare)
-            && self.dependency.iter().all(Written::is_bare)
-            && self.reference.iter().all(Written::is_bare)
-            && self.sign.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("validity", &self.validity, visit);
@@ -154,17 +119,6 @@ impl Written for BoardSign {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.validity.iter().all(Written::is_bare)
-            && self.dependency.iter().all(Written::is_bare)
-            && self.reference.iter().all(Written::is_bare)
-            && self.position_inertial.as_deref().is_none_or(Written::is_bare)
-            && self.position_road.as_deref().is_none_or(Written::is_bare)
-            && self.semantics.as_deref().is_none_or(Written::is_bare)
-            && self.static_board.iter().all(Written::is_bare)
-            && self.vms_board.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("validity", &self.validity, visit);
@@ -188,13 +142,6 @@ impl Written for VmsBoard {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.validity.iter().all(Written::is_bare)
-            && self.dependency.iter().all(Written::is_bare)
-            && self.reference.iter().all(Written::is_bare)
-            && self.display_area.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("validity", &self.validity, visit);
         children("dependency", &self.dependency, visit);
@@ -213,9 +160,6 @@ impl Written for DisplayArea {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-    }
 }
 
 impl Written for SignalReference {
@@ -227,9 +171,6 @@ impl Written for SignalReference {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty() && self.validity.iter().all(Written::is_bare)
     }
     fn children(&self, visit: Visit<'_>) {
         children("validity", &self.validity, visit);
@@ -246,10 +187,6 @@ impl Written for VmsGroup {
     fn extensions(&self) -> &Extensions {
         &self.extensions
     }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
-            && self.vms_board_reference.iter().all(Written::is_bare)
-    }
     fn children(&self, visit: Visit<'_>) {
         children("vmsBoardReference", &self.vms_board_reference, visit);
     }
@@ -264,8 +201,5 @@ impl Written for VmsBoardReference {
     }
     fn extensions(&self) -> &Extensions {
         &self.extensions
-    }
-    fn is_bare(&self) -> bool {
-        self.extensions.as_slice().is_empty()
     }
 }
