@@ -12,8 +12,10 @@ const LINE: usize = 64;
 pub fn prefetch<T: ?Sized>(value: &T) {
     let first = std::ptr::from_ref(value).cast::<u8>();
     let size = size_of_val(value);
-    for line in (0..size).step_by(LINE) {
+    let mut line = 0;
+    while line < size {
         prefetch_line(first.wrapping_add(line));
+        line += LINE;
     }
     // It may begin within a line and then ends in one more.
     prefetch_line(first.wrapping_add(size.saturating_sub(1)));

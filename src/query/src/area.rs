@@ -151,8 +151,7 @@ impl Cross for Lane<'_> {
 
     #[inline]
     fn edges(&self, at: At) -> LaneEdges {
-        let slopes = self.edge_slopes(at);
-        LaneEdges { inner: slopes.inner.value, outer: slopes.outer.value }
+        Lane::edges(self, at)
     }
 }
 
@@ -248,25 +247,18 @@ impl<'a> SlabPosition<'a> {
     /// Heading of the reference line `[rad]`.
     #[inline]
     pub(crate) fn heading(&self, lane: &Lane<'_>) -> f64 {
-        self.heading_on(lane.road.piece(self.geometry))
-    }
-
-    /// As [`Self::heading`], where the piece is known.
-    #[inline(always)]
-    fn heading_on(&self, piece: Option<GeometryPiece<'_>>) -> f64 {
-        piece.map_or(0.0, |piece| normalize_angle(piece.curve.heading(self.at.s - piece.s)))
+        let heading =
+            |piece: &GeometryPiece<'_>| normalize_angle(piece.curve.heading(self.at.s - piece.s));
+        // Most geometries are lines and arcs, of which it is told for less.
+        match lane.road.simple_piece(self.geometry) {
+            Some(piece) => heading(&piece),
+            None => lane.road.piece(self.geometry).map_or(0.0, |piece| heading(&piece)),
+        }
     }
 
     #[inline]
     pub(crate) fn position(&self, lane: &Lane<'_>) -> LanePosition {
         self.position_with(lane, self.heading(lane), lane.road.elevation(self.at))
-    }
-
-    /// As [`Self::position`], on a line or an arc.
-    #[inline]
-    pub(crate) fn position_on_simple(&self, lane: &Lane<'_>) -> LanePosition {
-        let heading = self.heading_on(lane.road.simple_piece(self.geometry));
-        self.position_with(lane, heading, lane.road.elevation(self.at))
     }
 
     /// As [`Self::position`], where the heading and height of the reference line are known.

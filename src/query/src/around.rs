@@ -11,16 +11,16 @@ use crate::types::Point;
 use glam::DVec2;
 
 impl<'a> Map<'a> {
-    /// The best of the lanes that hold a point.
+    /// Considers the lanes that hold a point.
     #[inline]
     pub(crate) fn lane_around(
         &self,
+        best: &mut Best<'a>,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
-    ) -> Option<Candidate<'a>> {
+    ) {
         let heights = options.heights(point);
-        let mut best = Best::default();
         let is_by_offset = options.is_by_offset(point);
         let mut held = Held::new(is_by_offset.then(|| self.index_tolerance()));
         index::visit_around(self.tables(), local, heights, |leaf, qx, qy| {
@@ -31,7 +31,7 @@ impl<'a> Map<'a> {
                 let k = places.trailing_zeros() as usize;
                 places &= places - 1;
                 if held.is_full() {
-                    self.decide(&held, &mut best, point, local, options);
+                    self.decide(&held, best, point, local, options);
                     held.clear();
                 }
                 let stretch = LaneSegment { lane: lanes[k], segment: segments[k] };
@@ -40,8 +40,7 @@ impl<'a> Map<'a> {
                 }
             }
         });
-        self.decide(&held, &mut best, point, local, options);
-        best.found()
+        self.decide(&held, best, point, local, options);
     }
 
     /// Decides on the exact curves which of the lanes that hold a point is the best.
@@ -59,7 +58,7 @@ impl<'a> Map<'a> {
         for held in held.stretches() {
             if !best.is_nearer_than(held.off_center) {
                 let found = self.candidate_around(held.stretch, point, local, options);
-                best.consider(found, *self, options);
+                best.consider(found.as_ref(), *self, options);
             }
         }
     }

@@ -132,18 +132,17 @@ impl<'a> Lane<'a> {
     #[inline]
     pub fn edges_at(&self, s: f64) -> LaneEdges {
         let Ok((at, _)) = self.place(s) else { return LaneEdges::NOWHERE };
-        let edges = self.edge_slopes(at);
-        LaneEdges { inner: edges.inner.value, outer: edges.outer.value }
+        self.edges(at)
     }
 
     /// Both edges at s in inertial coordinates, on the plane h = 0: the inner one first. s outside the lane's section counts as its
     /// nearer end. None for a damaged archive or an s that is not finite.
     pub fn edge_points_at(&self, s: f64) -> Option<[DVec3; 2]> {
         let (at, _) = self.place(s).ok()?;
-        let edges = self.edge_slopes(at);
+        let edges = self.edges(at);
         let cut = self.road.cross_section(at.s)?;
         let origin = self.map.origin().extend(0.0);
-        Some([edges.inner, edges.outer].map(|edge| origin + cut.place(edge.value)))
+        Some([edges.inner, edges.outer].map(|edge| origin + cut.place(edge)))
     }
 
     /// As [`Lane::edge_points_at`], the edge on the left of the lane's traffic first.
@@ -215,9 +214,7 @@ impl<'a> Lane<'a> {
     /// Errors: as [`Lane::pose_at`].
     pub fn pose_of_reference_line(&self, s: f64, offset: f64) -> Result<Pose, QueryError> {
         let (at, clamped) = self.place(s)?;
-        let edges = self.edge_slopes(at);
-        let center = 0.5 * (edges.inner.value + edges.outer.value);
-        let pose = self.road.pose(at, center + offset, 0.0)?;
+        let pose = self.road.pose(at, self.edges(at).center() + offset, 0.0)?;
         Ok(Pose { clamped, ..pose })
     }
 

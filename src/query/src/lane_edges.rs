@@ -2,6 +2,7 @@
 
 use crate::lane::Lane;
 use crate::profile::{self, At, Slope};
+use crate::types::LaneEdges;
 use mapd_archive::{ArchivedCubicRow, ArchivedLaneRow, lane_flags};
 
 /// t of both edges with their derivatives by s.
@@ -67,28 +68,49 @@ impl<'a> Lane<'a> {
         }
     }
 
-    /// Walks from lane 0 outwards: widths add up from the lane offset; a border stands for itself.
-    #[inline]
-    pub(crate) fn edge_slopes(&self, at: At) -> EdgeSlopes {
-        let mut edge = profile::slope(self.own_lane_offsets(), at);
-        let mut edges = EdgeSlopes { inner: edge, outer: edge };
+    /// Walks from lane 0 outwards: widths add up from the lane offset; a border stands for itself. Inner edge and outer edge, by what is
+    /// read of records and what lies beside an edge by a sign and a width.
+    #[inline(always)]
+    fn add_up<T: Copy>(
+        &self,
+        read: impl Fn(&'a [ArchivedCubicRow]) -> T,
+        beside: impl Fn(T, f64, T) -> T,
+    ) -> [T; 2] {
+        let mut edge = read(self.own_lane_offsets());
+        let mut inner = edge;
         let sign = if self.number() > 0 { 1.0 } else { -1.0 };
         let cubics = self.map.tables().cubics;
         self.walk_outwards(|lane| {
-            let record = profile::slope(lane.widths().of(cubics), at);
-            edges.inner = edge;
-            edge = if lane.flags() & lane_flags::BORDER != 0 {
-                record
-            } else {
-                let own = if record.value > 0.0 { record } else { closed(record, at) };
-                Slope {
-                    value: edge.value + sign * own.value,
-                    derivative: edge.derivative + sign * own.derivative,
-                }
-            };
-            edges.outer = edge;
+            let record = read(lane.widths().of(cubics));
+            let is_border = lane.flags() & lane_flags::BORDER != 0;
+            inner = edge;
+            edge = if is_border { record } else { beside(edge, sign, record) };
         });
-        edges
+        [inner, edge]
+    }
+
+    /// Both edges at a place.
+    #[inline]
+    pub(crate) fn edges(&self, at: At) -> LaneEdges {
+        let read = |records| profile::value(records, at);
+        let beside = |edge, sign, width| edge + sign * if width > 0.0 { width } else { 0.0 };
+        let [inner, outer] = self.add_up(read, beside);
+        LaneEdges { inner, outer }
+    }
+
+    /// Both edges at a place with their growth along s.
+    #[inline]
+    pub(crate) fn edge_slopes(&self, at: At) -> EdgeSlopes {
+        let read = |records| profile::slope(records, at);
+        let beside = |edge: Slope, sign, width: Slope| {
+            let own = if width.value > 0.0 { width } else { closed(width, at) };
+            Slope {
+                value: edge.value + sign * own.value,
+                derivative: edge.derivative + sign * own.derivative,
+            }
+        };
+        let [inner, outer] = self.add_up(read, beside);
+        EdgeSlopes { inner, outer }
     }
 
     /// t of the outer edge at a place, with its growth along s, where it grows evenly from there to another s, by the records that hold at the place. None

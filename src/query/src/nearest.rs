@@ -265,15 +265,15 @@ pub(crate) struct Best<'a>(Option<Candidate<'a>>);
 impl<'a> Best<'a> {
     /// The candidate, if there was one.
     #[inline]
-    pub(crate) fn found(self) -> Option<Candidate<'a>> {
-        self.0
+    pub(crate) fn found(&self) -> Option<&Candidate<'a>> {
+        self.0.as_ref()
     }
 
     /// Whether it is the best now.
     #[inline(always)]
     pub(crate) fn consider(
         &mut self,
-        found: Option<Candidate<'a>>,
+        found: Option<&Candidate<'a>>,
         map: Map<'a>,
         options: &NearestOptions,
     ) -> bool {
@@ -281,7 +281,7 @@ impl<'a> Best<'a> {
         let Some(found) = found else { return false };
         let is_better = self.0.as_ref().is_none_or(|best| found.order(best, map).is_lt());
         if is_better {
-            self.0 = Some(found);
+            self.0 = Some(*found);
         }
         is_better
     }
@@ -321,46 +321,45 @@ impl<'a> Map<'a> {
         options.check(point)?;
         let local = point.xy - self.origin();
         // Whether a lane holds the point is cheaper to tell than how far off it is, and mostly one does.
-        let around = self.lane_around(point, local, options);
-        Ok(self.nearest_of(around, point, local, options))
+        let mut best = Best::default();
+        self.lane_around(&mut best, point, local, options);
+        Ok(self.nearest_of(&mut best, point, local, options))
     }
 
     /// The nearest lane, where the best of the lanes that hold the point is known.
     #[inline]
     pub(crate) fn nearest_of(
         &self,
-        around: Option<Candidate<'a>>,
+        best: &mut Best<'a>,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
     ) -> Option<Nearest> {
-        let mut found = around;
         // Just beside an edge, by no more than rounding, another lane may be nearer.
-        if found.as_ref().is_none_or(|found| found.distance() != 0.0) {
-            found = self.lane_beside(found, point, local, options);
+        if best.found().is_none_or(|found| found.distance() != 0.0) {
+            self.lane_beside(best, point, local, options);
         }
-        found.and_then(|found| found.nearest(*self))
+        best.found().and_then(|found| found.nearest(*self))
     }
 
-    /// The nearest of the lanes, where none holds the point; `known`, if any, is one of them.
+    /// Considers the other lanes, where none holds the point.
     fn lane_beside(
         &self,
-        known: Option<Candidate<'a>>,
+        best: &mut Best<'a>,
         point: Point,
         local: DVec2,
         options: &NearestOptions,
-    ) -> Option<Candidate<'a>> {
+    ) {
         let heights = options.heights(point);
-        let mut best = Best(known);
         let hinted = options.hint.and_then(|hint| self.hinted(&hint));
         if let Some(place) = hinted {
-            best.consider(self.candidate(place, point, local, options), *self, options);
+            best.consider(self.candidate(place, point, local, options).as_ref(), *self, options);
         }
         // Single precision rounds the bound; a little more loses nothing, the exact test follows.
         let distance = |best: &Best<'_>| {
             round_up(best.0.as_ref().map_or(options.radius, |best| best.distance()))
         };
-        let start = distance(&best);
+        let start = distance(best);
         index::visit(self.tables(), local, heights, start, |leaf, qx, qy, mut bound| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let lower = index::lower_bounds(leaf, qx, qy, heights);
@@ -370,14 +369,14 @@ impl<'a> Map<'a> {
                 open &= !(1 << k);
                 let place = LaneSegment { lane: lanes[k], segment: segments[k] };
                 if hinted != Some(place) {
-                    best.consider(self.candidate(place, point, local, options), *self, options);
+                    let found = self.candidate(place, point, local, options);
+                    best.consider(found.as_ref(), *self, options);
                 }
-                bound = bound.min(distance(&best));
+                bound = bound.min(distance(best));
                 open &= index::places_within(&lower, bound);
             }
             bound
         });
-        best.0
     }
 
     /// The stretch of a lane that a hint names.

@@ -94,7 +94,7 @@ pub(crate) fn is_in(lane: &Lane<'_>, local: DVec2) -> Option<bool> {
 /// first.
 pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition> {
     match held(lane, local) {
-        HoldingStretch::In(found) => Some(found.position_on_simple(lane)),
+        HoldingStretch::In(found) => Some(found.position(lane)),
         _ => nearest_stretch(lane, local).map(|found| found.position(lane)),
     }
 }

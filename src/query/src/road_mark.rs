@@ -166,7 +166,7 @@ impl<'a> RoadMark<'a> {
 
     /// t of the mark's middle at s `[m]`: the border's plus the sway. As [`RoadMark::sway_at`] otherwise.
     pub fn t_at(&self, s: f64) -> f64 {
-        let outer = |at| self.lane.edge_slopes(at).outer.value;
+        let outer = |at| self.lane.edges(at).outer;
         self.place(s).map_or(f64::NAN, |at| outer(at) + self.sway(at))
     }
 }

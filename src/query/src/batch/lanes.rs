@@ -5,7 +5,7 @@ use super::{BatchScratch, Places};
 use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::map::Map;
-use crate::nearest::{Nearest, NearestOptions};
+use crate::nearest::{Best, Nearest, NearestOptions};
 use crate::types::{Clamped, LanePosition, Point};
 use glam::DVec2;
 
@@ -146,14 +146,18 @@ impl Map<'_> {
                     own.heading = places.heading(i).or(options.heading);
                     let around = match is_tile {
                         true => tile.around(point, local, &own),
-                        false => Around::Open(self.lane_around(point, local, &own)),
+                        false => {
+                            let mut best = Best::default();
+                            self.lane_around(&mut best, point, local, &own);
+                            Around::Open(best)
+                        }
                     };
                     let found = match around {
                         Around::Held(found) => Some(found),
-                        Around::Open(best) => {
+                        Around::Open(mut best) => {
                             // The last point lies near this one: it changes the cost alone.
                             own.hint = last.and_then(|last| out.get(last)).or(options.hint);
-                            self.nearest_of(best, point, local, &own)
+                            self.nearest_of(&mut best, point, local, &own)
                         }
                     };
                     if let Some(found) = found {

@@ -64,7 +64,7 @@ pub(super) enum Around<'a> {
     /// A lane holds it: this one is the nearest.
     Held(Nearest),
     /// No lane holds it, or it lies on an edge; the best so far.
-    Open(Option<Candidate<'a>>),
+    Open(Best<'a>),
 }
 
 /// What may hold places of a tile. It is filled again for the next one.
@@ -165,15 +165,15 @@ impl<'a> Tile<'a> {
             let Some(Some(stretch)) = self.stretches.get(k) else { continue };
             let Stretch { lane, slab, ready } = stretch;
             let found = Candidate::around(lane, ready, slab, point, local, options);
-            if best.consider(found, self.map, options) {
+            if best.consider(found.as_ref(), self.map, options) {
                 nearest = Some(stretch);
             }
         }
         match (best.found(), nearest) {
             (Some(found), Some(stretch)) if found.distance() == 0.0 => {
-                Around::Held(stretch.nearest(&found))
+                Around::Held(stretch.nearest(found))
             }
-            (found, _) => Around::Open(found),
+            _ => Around::Open(best),
         }
     }
 }

@@ -99,7 +99,7 @@ impl<'m> Course<'m> {
     fn t(&self, at: At) -> f64 {
         let sway = self.mark.sway(At::within(at.s, self.mark.s(), self.mark.s_end()));
         let offset = self.line.map_or(0.0, |line| line.t_offset);
-        self.owner.edge_slopes(at).outer.value + sway + offset
+        self.owner.edges(at).outer + sway + offset
     }
 
     /// Which of two courses comes first where both have a place equally near and of the same lane and s: the one of the first mark, line, stretch.

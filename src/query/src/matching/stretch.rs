@@ -33,9 +33,9 @@ pub(super) fn cross_line(
 ) -> CrossLine {
     let at = slab.at(s);
     let point = slab.piece.curve.evaluate(at.s - slab.piece.s);
-    let edges = lane.edge_slopes(at);
+    let edges = lane.edges(at);
     let roll = lane.road.roll(at).0;
-    let (a, b) = (edges.inner.value * roll, edges.outer.value * roll);
+    let (a, b) = (edges.inner * roll, edges.outer * roll);
     let heading = if forward { point.heading } else { turned(point.heading) };
     CrossLine {
         foot: DVec2::new(point.x, point.y) - local,
