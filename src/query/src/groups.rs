@@ -76,4 +76,5 @@ pub mod compiling {
     pub use crate::polyline::LineReader;
     pub use crate::rules::entry_sign::EntrySign;
     pub use crate::rules::speed_signs::{SpeedSigns, Zone, is_of_speed};
+    pub use crate::signals::lane::signals_of_lanes;
 }

@@ -8,7 +8,7 @@ use crate::resolve::Resolved;
 use crate::sample::view;
 use mapd_archive::{NONE, Rows, SpeedSignsAtEntryRow};
 use mapd_query::compiling::ByRow as _;
-use mapd_query::compiling::{SpeedSigns, Zone, is_of_speed};
+use mapd_query::compiling::{SpeedSigns, Zone, is_of_speed, signals_of_lanes};
 use mapd_query::{Lane, Map};
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
@@ -95,11 +95,16 @@ fn row(lane: u32, state: &State) -> SpeedSignsAtEntryRow {
 
 /// What holds where lanes are entered, and rows of zones' signs with the first lane that they lead to without an end.
 fn solve(map: Map<'_>, lanes: usize) -> (Vec<SpeedSignsAtEntryRow>, BTreeMap<u32, u32>) {
+    // Only what lies behind a sign can hold anything: the rest is never looked at.
+    let signs = signals_of_lanes(map).filter(is_of_speed);
+    let mut signed: Vec<u32> = signs.filter_map(|one| Some(one.lane()?.lane_id().row())).collect();
+    signed.dedup();
+    if signed.is_empty() {
+        return (Vec::new(), BTreeMap::new());
+    }
     let (mut entry, mut exit): (Vec<Option<State>>, Vec<Option<State>>) =
         (vec![None; lanes], vec![None; lanes]);
-    // Only what lies behind a sign can hold anything: the rest is never looked at.
-    let signed = map.lanes().filter(|lane| lane.signals().any(|one| is_of_speed(&one)));
-    let mut open: VecDeque<u32> = signed.map(|lane| lane.lane_id().row()).collect();
+    let mut open = VecDeque::from(signed);
     let mut reached = vec![false; lanes];
     for first in open.clone() {
         mark(map, first, &mut reached);

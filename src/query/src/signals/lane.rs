@@ -82,6 +82,12 @@ impl<'a> LaneSignal<'a> {
     }
 }
 
+/// Signals of all lanes, lane by lane, in the order of [`Lane::signals`].
+pub fn signals_of_lanes(map: Map<'_>) -> impl Iterator<Item = LaneSignal<'_>> {
+    let order = map.tables().lane_signals.iter();
+    order.filter_map(move |at| LaneSignal::new(map, *at))
+}
+
 impl<'a> Lane<'a> {
     /// Signals that are for the lane, ascending in s.
     pub fn signals(&self) -> impl Iterator<Item = LaneSignal<'a>> + use<'a> {

@@ -4,7 +4,7 @@
 mod ahead;
 mod board;
 mod controller;
-mod lane;
+pub(crate) mod lane;
 mod link;
 mod near;
 
