@@ -5,7 +5,7 @@
 
 use crate::sample::view;
 use mapd_archive::{
-    ConflictKind, ConflictRow, JunctionPriorityRow, Relation, RelationReason, Rows,
+    ConflictKind, ConflictRow, JunctionPriorityRow, NONE, Relation, RelationReason, Rows,
 };
 use mapd_geometry::normalize_angle;
 use mapd_query::compiling::{ByRow as _, EntrySign};
@@ -68,8 +68,16 @@ impl RightOfWay {
         numbers.dedup();
         let read = |number: &u32| Some(movement(&map.lane_by_row(*number)?));
         let movements: Vec<Option<Movement>> = numbers.par_iter().map(read).collect();
-        let of_lane =
-            |lane: u32| movements.get(numbers.binary_search(&lane).ok()?).and_then(Option::as_ref);
+        let mut of_lanes = vec![NONE; rows.lanes.len()];
+        for (movement, lane) in (0u32..).zip(&numbers) {
+            if let Some(of_lane) = of_lanes.get_mut(*lane as usize) {
+                *of_lane = movement;
+            }
+        }
+        let of_lane = |lane: u32| {
+            let movement = *of_lanes.get(lane as usize)?;
+            movements.get(movement as usize).and_then(Option::as_ref)
+        };
         let priorities = Priorities::new(&rows.junction_priorities);
         let of = |row: &ConflictRow| {
             // Where roads cross on another level of meaning (crossings of 1.8), no rule of junctions applies.
