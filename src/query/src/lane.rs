@@ -118,7 +118,9 @@ impl<'a> Lane<'a> {
         let (rows, lane) = (self.map.tables().lane_speeds, self.number);
         let first = rows.partition_point(|row| row.lane() < lane);
         let rows = rows.get(first..).unwrap_or(&[]);
-        let own = rows.get(..rows.partition_point(|row| row.lane() == lane)).unwrap_or(&[]);
+        // Lanes have few: to look for the end among all rows would take longer.
+        let count = rows.iter().take_while(|row| row.lane() == lane).count();
+        let own = rows.get(..count).unwrap_or(&[]);
         own.iter().map(|r| LaneSpeed {
             s: r.s(),
             kind: SpeedKind::from_code(u8::try_from(r.kind()).unwrap_or(u8::MAX)),
