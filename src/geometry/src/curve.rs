@@ -1,5 +1,6 @@
 //! A compiled curve, borrowed from wherever its coefficients are stored.
 
+use crate::bends::{BendsFrom, CubicsFrom, Of};
 use crate::parametric::{Cubics, IDENTITY, Parametric};
 use crate::piecewise::Pieces;
 use crate::point::{CurvePoint, LocalPoint, Projection, Tangent};
@@ -68,6 +69,19 @@ impl<'a> Curve<'a> {
             _ => return None,
         };
         (u <= self.length).then_some(curvature)
+    }
+
+    /// How parts of the curve bend at most, the first of which begins at u `[m]`. None for a transformed curve.
+    #[must_use]
+    pub fn bends_from(&self, u: f64) -> Option<BendsFrom<'a>> {
+        let of = match self.shape {
+            Shape::Line => Of::Even(0.0),
+            Shape::Arc { curvature } => Of::Even(curvature),
+            Shape::Spiral(spiral) => Of::Spiral(spiral),
+            Shape::Parametric(parametric) => Of::Cubics(CubicsFrom::new(parametric, u)),
+            Shape::Transformed(_) => return None,
+        };
+        Some(BendsFrom { length: self.length, u, of })
     }
 
     /// A view of the coefficients that [`compile`](crate::compile()) made for this kind and length `[m]`.

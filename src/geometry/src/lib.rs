@@ -31,6 +31,7 @@
 mod angle;
 mod arc;
 mod attitude;
+mod bends;
 mod compile;
 mod cubic;
 mod curve;
@@ -45,6 +46,7 @@ mod transformed;
 
 pub use angle::{atan2, beside, cos_sin, floor, hypot, normalize_angle};
 pub use attitude::Attitude;
+pub use bends::{Bends, BendsFrom};
 pub use compile::{
     Chart, CompileError, Compiled, CurveTransform, MAX_LENGTH, MAX_PIECES, MAX_TURNING,
     TransformError, TransformedCurve, compile,

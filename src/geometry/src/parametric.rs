@@ -37,6 +37,12 @@ impl Cubics<'_> {
         DVec2::new(bend(self.u), bend(self.v))
     }
 
+    /// d³r/dp³, the same everywhere.
+    #[inline]
+    pub(crate) fn third(&self) -> DVec2 {
+        6.0 * DVec2::new(self.u[3], self.v[3])
+    }
+
     /// Direction of travel at `p` relative to the frame's x axis `[rad]`, continuous in p from its value at p = 0.
     ///
     /// dr/dp is quadratic in p, so its cross product with its own start is p·(A + B·p): besides p = 0 it vanishes at

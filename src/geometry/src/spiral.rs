@@ -43,6 +43,11 @@ impl<'a> Spiral<'a> {
         self.curvature_start + self.change * (u * self.per_length)
     }
 
+    /// What the curvature changes by per metre, whatever the sign `[1/m²]`.
+    pub(crate) fn curvature_change(&self) -> f64 {
+        (self.change * self.per_length).abs()
+    }
+
     #[inline]
     pub(crate) fn frame(&self, u: f64) -> LocalPoint {
         let (piece, t) = self.pieces.find(u);

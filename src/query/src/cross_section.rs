@@ -1,6 +1,7 @@
 //! A road cut across: what all lanes at one s have in common.
 
 use crate::line_stretch::{LineStretch, ValidRange};
+use crate::parallel::Parallel;
 use crate::profile::{self, At, Record};
 use crate::road::Road;
 use crate::section::LaneSection;
@@ -201,7 +202,7 @@ impl<'a> SectionCutter<'a> {
     }
 }
 
-impl SectionCutter<'_> {
+impl<'a> SectionCutter<'a> {
     /// Whether the edges of a lane, counted from the left, are known to be segments from one s up to another: the reference
     /// line is a line, heights and widths grow evenly, and no width falls below 0 in between. False where that is not plain.
     pub fn is_straight(&mut self, lane: usize, from: f64, to: f64) -> bool {
@@ -212,19 +213,39 @@ impl SectionCutter<'_> {
     /// it, or helices, from one s up to another: the reference line is a line or an arc, its height grows evenly, and
     /// superelevation and widths do not change. None where that is not plain.
     pub fn arc(&mut self, lane: usize, from: f64, to: f64) -> Option<f64> {
+        let piece = self.even(lane, from, to)?.piece;
+        piece.curve.even_curvature_up_to(to - piece.s)
+    }
+
+    /// The line at one t beside the reference line, which `t` chooses between the edges of a lane, counted from the left, where that is known to
+    /// be even from one s up to another: heights grow evenly, superelevation and widths do not change. None where that is not plain.
+    pub fn parallel(
+        &mut self,
+        lane: usize,
+        [from, to]: [f64; 2],
+        t: impl Fn(LaneEdges) -> f64,
+    ) -> Option<Parallel<'a>> {
+        let frame = self.even(lane, from, to)?;
+        let (piece, is_level) = (frame.piece, frame.elevation.is_constant());
+        let (cos, _) = profile::roll(frame.superelevation.value(from));
+        Some(Parallel::new(piece, t(self.lane_edges(lane, from)?) * cos, is_level))
+    }
+
+    /// What the reference line is made of from one s up to another, where heights grow evenly and neither superelevation nor the edges of a
+    /// lane change.
+    fn even(&mut self, lane: usize, from: f64, to: f64) -> Option<&LineStretch<'a>> {
         self.stretch_at(from).filter(|_| to <= self.end)?;
-        let frame = self.frame.as_ref().filter(|frame| {
-            frame.held.covers(from, to)
-                && frame.elevation.is_even()
-                && frame.superelevation.is_constant()
-        })?;
-        let curvature = frame.piece.curve.even_curvature_up_to(to - frame.piece.s)?;
         let widths = self.widths(from)?;
         let (inner, _) = widths.outwards_to(lane)?;
         let is_constant = widths.held.covers(from, to)
             && widths.offset.is_constant()
             && inner.iter().all(|width| width.record.is_constant());
-        is_constant.then_some(curvature)
+        self.frame.as_ref().filter(|frame| {
+            is_constant
+                && frame.held.covers(from, to)
+                && frame.elevation.is_even()
+                && frame.superelevation.is_constant()
+        })
     }
 
     fn frame_is_straight(&mut self, from: f64, to: f64) -> bool {

@@ -73,6 +73,7 @@ pub mod compiling {
     pub use crate::graph::{extremes_of_joined, is_first_joined};
     pub use crate::index::{SegmentHit, nearest_segment};
     pub use crate::lane_length::{Measures, measures_between};
+    pub use crate::parallel::{MostBend, Parallel, ParallelFrom};
     pub use crate::polyline::LineReader;
     pub use crate::rules::entry_sign::EntrySign;
     pub use crate::rules::speed_signs::{SpeedSigns, Zone, is_of_speed};

@@ -91,6 +91,7 @@ mod nearest;
 mod numbers;
 pub mod objects;
 mod packed;
+mod parallel;
 mod passing;
 pub mod path;
 mod polyline;

@@ -34,6 +34,9 @@ const OVERLAPS: usize = 500;
 const ROADS_AT_ONE_PLACE: u32 = 20;
 /// Two lanes whose offsets differ by less than this `[m]` are equally near but for rounding.
 const TIE: f64 = 1e-9;
+/// Parts of a border whose bending is told, and what rounding and the displacement of places may show besides, sixteenfold `[m]`.
+const BEND_PARTS: usize = 12;
+const BEND_ROUNDING: f64 = 1e-5;
 /// Tolerances of centre lines and borders `[m]`: the default, a finer and a coarser pair.
 const TOLERANCES: [(f64, f64); 3] = [(0.05, 0.01), (0.01, 0.002), (0.5, 0.1)];
 /// Single precision of stations relative to their section's start, as a share of the section's length. What the writing of points in few bits
@@ -204,6 +207,60 @@ fn check_at_once(lane: &Lane<'_>, name: &str) {
     if cutter.arc(number, from.0, to.0).is_some() {
         assert_eq!(from.1, to.1, "{name}: {key}");
     }
+}
+
+/// What is told of how far a lane's border bends at most: places of it show no more. Yields of how many parts it is told.
+fn check_bends(lane: &Lane<'_>, name: &str) -> usize {
+    let (key, section) = (lane.key(), lane.section());
+    let number = section.lanes().position(|other| other.key() == key).expect("its number");
+    let mut cutter = SectionCutter::new(section).expect("a sound section");
+    let (start, end) = (section.s_start(), section.s_end());
+    let mut cuts: Vec<f64> = lane.shape_breaks().filter(|s| *s > start && *s < end).collect();
+    cuts.extend([start, end]);
+    cuts.sort_by(f64::total_cmp);
+    let mut told = 0;
+    for pair in cuts.windows(2) {
+        let parallel = cutter.parallel(number, [pair[0], pair[1]], |edges| edges.outer);
+        let mut bends = parallel.and_then(|line| line.from(pair[0]));
+        let at = |part: f64| pair[0] + (pair[1] - pair[0]) * (part / BEND_PARTS as f64);
+        for part in 0..BEND_PARTS {
+            let Some(bend) = bends.as_mut().and_then(|bends| bends.up_to(at((part + 1) as f64)))
+            else {
+                continue;
+            };
+            told += 1;
+            let mut place = |share: f64| {
+                // Below the end, where the records of this stretch still hold.
+                let s = at(part as f64 + share).min(pair[1].next_down());
+                let t = cutter.lane_edges(number, s).expect("edges").outer;
+                cutter.cut(s).expect("a cut").place(t)
+            };
+            let places = [0.0, 0.25, 0.5, 0.75, 1.0].map(&mut place);
+            for three in places.windows(3) {
+                let shown = 16.0 * (three[0] - 2.0 * three[1] + three[2]).length();
+                assert!(shown <= bend.any + BEND_ROUNDING, "{name}: {key} at {part}: {shown}");
+            }
+            let chord = places[4] - places[0];
+            for place in places {
+                let away = place - places[0];
+                let share = (away.dot(chord) / chord.length_squared()).max(0.0).min(1.0);
+                let shown = 8.0 * (away - share * chord).length();
+                assert!(shown <= bend.across + BEND_ROUNDING, "{name}: {key} at {part}: {shown}");
+            }
+        }
+    }
+    told
+}
+
+#[test]
+fn no_border_bends_further_than_told() {
+    let mut told = 0;
+    for path in carried_and(&MAPS) {
+        let snapshot = open(&path, TOLERANCES[0]);
+        let name = path.display().to_string();
+        told += snapshot.map().lanes().map(|lane| check_bends(&lane, &name)).sum::<usize>();
+    }
+    assert!(told > 1000, "{told} parts");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Cross-sections of a lane section, kept for a while.
 
 use glam::DVec3;
-use mapd_query::compiling::SectionCutter;
+use mapd_query::compiling::{Parallel, SectionCutter};
 use mapd_query::roads::CrossSection;
 use mapd_query::{LaneEdges, LaneSection};
 
@@ -76,6 +76,16 @@ impl<'m, 'a> Cuts<'m, 'a> {
     /// Whether a lane's edges are straight from one s up to another.
     pub(crate) fn is_straight(&mut self, lane: usize, from: f64, to: f64) -> bool {
         self.cutter.is_straight(lane, from, to)
+    }
+
+    /// A line that runs beside the reference line at an even distance, as far as that is known; `t` chooses between the lane's edges.
+    pub(crate) fn parallel(
+        &mut self,
+        lane: usize,
+        ends: [f64; 2],
+        t: impl Fn(LaneEdges) -> f64,
+    ) -> Option<Parallel<'a>> {
+        self.cutter.parallel(lane, ends, t)
     }
 
     /// Curvature of the reference line where a lane's edges are known to be arcs from one s up to another.

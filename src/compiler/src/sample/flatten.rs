@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use mapd_geometry::clamp;
+use mapd_query::compiling::{MostBend, Parallel};
 use std::f64::consts::FRAC_PI_2;
 
 /// Depth of cutting one stretch into two or more parts, and these again.
@@ -25,6 +26,9 @@ const LONGEST_ARC: f64 = FRAC_PI_2;
 
 /// Share of the tolerance that says of all parts of an arc what it says of one: they are alike but for rounding.
 const SURE: f64 = 0.999;
+
+/// So much may places of a curve be displaced along it, counted several times `[m]`.
+const DISPLACEMENT: f64 = 1e-6;
 
 /// Factor on the distance from the chord when it is shared out: what may lie between the places comes to an eighth of it.
 const ALLOWANCE: f64 = 1.15;
@@ -57,7 +61,7 @@ pub(crate) struct Sample {
 }
 
 /// A curve in space over s.
-pub(crate) trait Curve {
+pub(crate) trait Curve<'a> {
     /// The place at s; none where it is not finite.
     fn at(&mut self, s: f64) -> Option<DVec3>;
 
@@ -71,19 +75,26 @@ pub(crate) trait Curve {
     fn arc(&mut self, _from: f64, _to: f64) -> Option<f64> {
         None
     }
+
+    /// The line beside a road that the curve is known to be from one s up to another, rising evenly: that tells of its parts
+    /// how far they bend at most, for less than looking at them.
+    fn parallel(&mut self, _from: f64, _to: f64) -> Option<Parallel<'a>> {
+        None
+    }
 }
 
 /// How finely a stretch is cut.
 #[derive(Clone, Copy)]
-struct Fineness {
+struct Fineness<'p> {
     tolerance: f64,
     /// Points that the line may have.
     most: usize,
     /// Longest part `[m]` that is an arc as far as [`LONGEST_ARC`]; 0 where there is none.
     arc: f64,
+    parallel: Option<&'p Parallel<'p>>,
 }
 
-impl<F: FnMut(f64) -> Option<DVec3>> Curve for F {
+impl<F: FnMut(f64) -> Option<DVec3>> Curve<'_> for F {
     fn at(&mut self, s: f64) -> Option<DVec3> {
         self(s)
     }
@@ -93,10 +104,10 @@ impl<F: FnMut(f64) -> Option<DVec3>> Curve for F {
 /// farther than `tolerance` from the polyline. Where the curve jumps at a break, both sides become points of equal s.
 ///
 /// Errors: it is not finite, or would have more than [`MOST_POINTS`], or more than lines of its length may have.
-pub(crate) fn flatten(
+pub(crate) fn flatten<'a>(
     breaks: &[f64],
     tolerance: f64,
-    curve: &mut impl Curve,
+    curve: &mut impl Curve<'a>,
     out: &mut Vec<Sample>,
 ) -> Result<(), Fault> {
     out.clear();
@@ -117,8 +128,11 @@ pub(crate) fn flatten(
             } else {
                 let turn = curve.arc(start, end);
                 let arc = turn.map_or(0.0, |turn| LONGEST_ARC / turn.abs());
-                let fineness = Fineness { tolerance: tolerance * SHARE, most, arc };
-                refine((first, last), fineness, MAX_DEPTH, curve, out)?;
+                let parallel = if turn.is_none() { curve.parallel(start, end) } else { None };
+                let parallel = parallel.as_ref();
+                let fineness = Fineness { tolerance: tolerance * SHARE, most, arc, parallel };
+                let bend = parallel.and_then(|line| line.from(start)?.up_to(end));
+                refine((first, last), bend, fineness, MAX_DEPTH, curve, out)?;
             }
         }
         if out.len() > most {
@@ -136,7 +150,7 @@ fn most(breaks: &[f64]) -> usize {
     LEAST_POINTS.saturating_add(2 * breaks.len()).saturating_add(by_length).min(MOST_POINTS)
 }
 
-fn place(curve: &mut impl Curve, s: f64) -> Result<DVec3, Fault> {
+fn place<'a>(curve: &mut impl Curve<'a>, s: f64) -> Result<DVec3, Fault> {
     curve.at(s).ok_or(Fault::NotFinite)
 }
 
@@ -149,18 +163,24 @@ struct Need {
     settles_alike: bool,
 }
 
-/// Appends the points behind the first one of a stretch. Whether other stretches of its length surely need one segment as well.
+/// Appends the points behind the first one of a stretch, of which may be known how far it bends at most. Whether other stretches of its length surely need one segment as well.
 // Part of the loop over the parts of a longer stretch, most of which need no more: both ends stay in registers.
 #[inline(always)]
-fn refine(
+fn refine<'a>(
     (a, b): (Sample, Sample),
-    fineness: Fineness,
+    bend: Option<MostBend>,
+    fineness: Fineness<'_>,
     depth: u32,
-    curve: &mut impl Curve,
+    curve: &mut impl Curve<'a>,
     out: &mut Vec<Sample>,
 ) -> Result<bool, Fault> {
     if out.len() > fineness.most {
         return Err(Fault::TooManyPoints);
+    }
+    // Not settled, though it need not be looked at: others of its length may bend further.
+    if bend.is_some_and(|bend| most_seen(bend) + DISPLACEMENT <= SURE * fineness.tolerance) {
+        out.push(b);
+        return Ok(false);
     }
     let one = Need { parts: 1, settles_alike: false };
     let Need { parts, settles_alike } =
@@ -174,16 +194,17 @@ fn refine(
 }
 
 /// Cuts a stretch into so many parts, and these as they need.
-fn cut(
+fn cut<'a>(
     (a, b): (Sample, Sample),
     parts: u32,
-    fineness: Fineness,
+    fineness: Fineness<'_>,
     depth: u32,
-    curve: &mut impl Curve,
+    curve: &mut impl Curve<'a>,
     out: &mut Vec<Sample>,
 ) -> Result<(), Fault> {
     let mut from = a;
     let mut is_settled = false;
+    let mut bends = fineness.parallel.and_then(|line| line.from(a.s));
     for i in 1..=parts {
         let to = if i == parts {
             b
@@ -194,7 +215,8 @@ fn cut(
         if is_settled {
             out.push(to);
         } else {
-            is_settled = refine((from, to), fineness, depth, curve, out)?;
+            let bend = bends.as_mut().and_then(|bends| bends.up_to(to.s));
+            is_settled = refine((from, to), bend, fineness, depth, curve, out)?;
         }
         from = to;
     }
@@ -203,7 +225,12 @@ fn cut(
 
 /// What a stretch needs: one part where the curve stays near the chord between two of its points, at the places
 /// that are looked at, and, as far as differences tell how it bends, between them.
-fn need(a: Sample, b: Sample, fineness: Fineness, curve: &mut impl Curve) -> Option<Need> {
+fn need<'a>(
+    a: Sample,
+    b: Sample,
+    fineness: Fineness<'_>,
+    curve: &mut impl Curve<'a>,
+) -> Option<Need> {
     let tolerance = fineness.tolerance;
     let mut at = |share: f64| curve.at(a.s + (b.s - a.s) * share);
     let mut place = |i: usize| at(i as f64 / PARTS as f64);
@@ -236,6 +263,12 @@ fn need(a: Sample, b: Sample, fineness: Fineness, curve: &mut impl Curve) -> Opt
     }
     off = off.max(chord.distance_squared(at(ODD_SHARE)?));
     Some(in_all(off.sqrt(), bend.sqrt()))
+}
+
+/// The most that is found of a curve that bends by this at most: how far places of it are off its chord, and what the differences of places a
+/// share of its length apart say of those in between.
+fn most_seen(MostBend { any, across }: MostBend) -> f64 {
+    across / 8.0 + BETWEEN * (any / (PARTS * PARTS) as f64)
 }
 
 /// Parts into which a stretch is cut whose curve leaves the chord by more than the tolerance, so many times: the distance
@@ -286,7 +319,7 @@ mod tests {
         asked: usize,
     }
 
-    impl Curve for Helix {
+    impl Curve<'_> for Helix {
         fn at(&mut self, s: f64) -> Option<DVec3> {
             self.asked += 1;
             let (cos, sin) = mapd_geometry::cos_sin(s / self.radius);

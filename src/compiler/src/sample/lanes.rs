@@ -7,7 +7,7 @@ use crate::findings::TooLarge;
 use crate::options::CompileOptions;
 use glam::DVec3;
 use mapd_archive::{Archive, Header, LaneRow, PointCode, Rows, SectionRow};
-use mapd_query::compiling::ByRow as _;
+use mapd_query::compiling::{ByRow as _, Parallel};
 use mapd_query::{Lane, LaneEdges, LaneSection, Map};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -348,7 +348,7 @@ struct LaneCurve<'c, 'm, 'a, T> {
     t: T,
 }
 
-impl<T: Fn(LaneEdges) -> f64> Curve for LaneCurve<'_, '_, '_, T> {
+impl<'a, T: Fn(LaneEdges) -> f64> Curve<'a> for LaneCurve<'_, '_, 'a, T> {
     #[inline]
     fn at(&mut self, s: f64) -> Option<DVec3> {
         self.cuts.place(self.lane, s, &self.t)
@@ -360,6 +360,10 @@ impl<T: Fn(LaneEdges) -> f64> Curve for LaneCurve<'_, '_, '_, T> {
 
     fn arc(&mut self, from: f64, to: f64) -> Option<f64> {
         self.cuts.arc(self.lane, from, to)
+    }
+
+    fn parallel(&mut self, from: f64, to: f64) -> Option<Parallel<'a>> {
+        self.cuts.parallel(self.lane, [from, to], &self.t)
     }
 }
 

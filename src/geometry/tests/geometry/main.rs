@@ -5,6 +5,7 @@ mod double;
 mod oracle;
 
 mod accuracy;
+mod bends;
 mod extended_precision;
 mod hostile;
 mod projection;
