@@ -1,6 +1,7 @@
 //! A compiled curve, borrowed from wherever its coefficients are stored.
 
 use crate::bends::{BendsFrom, CubicsFrom, Of};
+use crate::cubic_part::CubicPart;
 use crate::parametric::{Cubics, IDENTITY, Parametric};
 use crate::piecewise::Pieces;
 use crate::point::{CurvePoint, LocalPoint, Projection, Tangent};
@@ -82,6 +83,18 @@ impl<'a> Curve<'a> {
             Shape::Transformed(_) => return None,
         };
         Some(BendsFrom { length: self.length, u, of })
+    }
+
+    /// The part of a poly3 or paramPoly3 from one u up to another `[m]`, by the parameter of its cubics. None for another curve, and
+    /// where the two are not in order on the curve.
+    #[must_use]
+    pub fn cubic_part(&self, from: f64, to: f64) -> Option<CubicPart<'a>> {
+        match &self.shape {
+            Shape::Parametric(parametric) if 0.0 <= from && to <= self.length => {
+                parametric.part(from, to)
+            }
+            _ => None,
+        }
     }
 
     /// A view of the coefficients that [`compile`](crate::compile()) made for this kind and length `[m]`.

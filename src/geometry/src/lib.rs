@@ -34,6 +34,7 @@ mod attitude;
 mod bends;
 mod compile;
 mod cubic;
+mod cubic_part;
 mod curve;
 mod nearest;
 mod parametric;
@@ -52,6 +53,7 @@ pub use compile::{
     TransformError, TransformedCurve, compile,
 };
 pub use cubic::Cubic;
+pub use cubic_part::CubicPart;
 pub use curve::{Curve, OnlyFoot};
 pub use point::{CurvePoint, Projection, Tangent};
 pub use primitive::{

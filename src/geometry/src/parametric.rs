@@ -43,6 +43,14 @@ impl Cubics<'_> {
         6.0 * DVec2::new(self.u[3], self.v[3])
     }
 
+    /// |dr/dp| and the curvature.
+    #[inline]
+    pub(crate) fn speed_and_curvature(&self, p: f64) -> [f64; 2] {
+        let (first, second) = (self.first(p), self.second(p));
+        let length = first.length();
+        [length, first.perp_dot(second) / (length * length * length)]
+    }
+
     /// Direction of travel at `p` relative to the frame's x axis `[rad]`, continuous in p from its value at p = 0.
     ///
     /// dr/dp is quadratic in p, so its cross product with its own start is p·(A + B·p): besides p = 0 it vanishes at
@@ -99,10 +107,8 @@ impl Parametric<'_> {
     pub(crate) fn speed_and_curvature(&self, u: f64) -> [f64; 2] {
         let (piece, t) = self.pieces.find(u);
         let (p, slope) = value_and_derivative(piece, t);
-        let (first, second) = (self.cubics.first(p), self.cubics.second(p));
-        let length = first.length();
-        let curvature = first.perp_dot(second) / (length * length * length);
-        [length * slope.abs() * self.pieces.rate(), curvature]
+        let [speed, curvature] = self.cubics.speed_and_curvature(p);
+        [speed * slope.abs() * self.pieces.rate(), curvature]
     }
 
     #[inline]
