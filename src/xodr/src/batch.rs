@@ -10,7 +10,7 @@ use crate::finding::Span;
 use crate::findings::{Counts, Findings, KeptFinding};
 use crate::generated::{Item, read_document};
 use crate::limits::Limits;
-use crate::source::{Inputs, Note, Source};
+use crate::source::{Inputs, NearPlaces, Note, Places, Source};
 use crate::well_formed::Structure;
 use crate::window::{Stop, Unread, Window};
 use std::io::BufRead as _;
@@ -35,6 +35,11 @@ pub struct Batch {
 }
 
 impl Batch {
+    /// Places in the document, those of the batch at hand.
+    pub fn places(&self, all: &Places) -> NearPlaces {
+        all.near(self.start, self.text.len())
+    }
+
     /// Takes what the input has wrong in it as bytes.
     pub(crate) fn take_notes(&mut self) -> Vec<Note> {
         std::mem::take(&mut self.notes)

@@ -223,6 +223,7 @@ fn read(
         let reader = Reader::with_source(inputs, source, reading.limits);
         let mut stream = Stream::new(reader, reading.batch_bytes);
         let places = stream.reader.places().clone();
+        let none_near = places.near(0, 0);
         let mut checker = Checker::new(&reading.rules);
         // What was lowered on other threads, and the roads before it.
         let (mut elements, mut before) = (VecDeque::new(), 0);
@@ -262,7 +263,7 @@ fn read(
                             _ => checker.item(&mut item),
                         };
                         checked = checker.take_findings();
-                        part::lower(&mut draft, item, &line, &places, &mut checked);
+                        part::lower(&mut draft, item, &line, &none_near, &mut checked);
                     }
                 }
             }

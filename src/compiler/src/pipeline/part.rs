@@ -8,7 +8,7 @@ use mapd_archive::AnnotationOwner;
 use mapd_ontology::Ontology;
 use mapd_rules::line::ReferenceLine;
 use mapd_rules::{Checker, Examined, ExaminedItem, Examiner, Network, Whole};
-use mapd_xodr::source::Places;
+use mapd_xodr::source::{NearPlaces, Places};
 use mapd_xodr::{Batch, Context, Finding, Item, ReadBatch, Span, Text as _};
 use rayon::prelude::*;
 use std::collections::VecDeque;
@@ -57,6 +57,7 @@ impl Plan {
     pub(crate) fn read(self, context: &Context, batch: Batch) -> (ReadBatch, Lowered) {
         let Self { mut examiner, ontology, places, without } = self;
         let mut draft = Draft::part(ontology, without);
+        let places = batch.places(&places);
         let mut units = Units::default();
         let none = draft.roads();
         let mut elements = VecDeque::new();
@@ -97,11 +98,12 @@ pub(crate) fn lower(
     draft: &mut Draft,
     item: Item,
     line: &ReferenceLine,
-    places: &Places,
+    places: &NearPlaces,
     findings: &mut Vec<Finding>,
 ) {
     let ontology = Arc::clone(&draft.signals.ontology);
     let position = |span: Span| places.position(span.start);
+    let places = &places.all;
     draft.owners.clear();
     match item {
         Item::Header(header) => {

@@ -1,5 +1,7 @@
 //! From byte offsets to lines and columns.
 
+use std::ops::Range;
+
 /// A place in a text file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Position {
@@ -89,6 +91,25 @@ impl LineIndex {
         }
         self.lines += 1;
         self.line_start = end;
+    }
+
+    /// What is known of the lines that hold a stretch of the text: its places are the same.
+    pub(super) fn part(&self, stretch: Range<u64>) -> Self {
+        let after = |offset: u64| self.checkpoints.partition_point(|known| known.start <= offset);
+        let (first, end) = (after(stretch.start).saturating_sub(1), after(stretch.end));
+        let place = |known: &Checkpoint| known.place as usize;
+        let base = self.checkpoints.get(first).map_or(self.lengths.len(), place);
+        let mut part = Self { capacity: self.capacity, next: self.next, ..Self::default() };
+        (part.lines, part.line_start) = (self.lines, self.line_start);
+        let mut behind = self.lengths.len();
+        if let Some(known) = self.checkpoints.get(end) {
+            (part.lines, part.line_start, behind) =
+                (known.line as usize, known.start, place(known));
+        }
+        part.lengths.extend_from_slice(self.lengths.get(base..behind).unwrap_or_default());
+        let own = self.checkpoints.get(first..end).unwrap_or_default().iter();
+        part.checkpoints.extend(own.map(|k| Checkpoint { place: k.place - base as u32, ..*k }));
+        part
     }
 
     /// Line and column of the byte at an offset of the decoded text.
@@ -208,6 +229,25 @@ mod tests {
             }
             (line, column) = if *byte == b'\n' { (line + 1, 1) } else { (line, column + 1) };
         }
+    }
+
+    #[test]
+    fn places_in_a_part_are_those_of_the_whole() {
+        let text = text();
+        for capacity in [100, 2000, LENGTHS] {
+            let mut index = LineIndex::with_capacity(capacity);
+            index.feed(&text);
+            let length = text.len() as u64;
+            for from in [0, 1, 63, 5_000, 9_999, length / 2, length - 1_000, length - 1] {
+                for to in [from, from + 1, from + 777, from + 100_000].map(|to| to.min(length)) {
+                    let part = index.part(from..to);
+                    for offset in (from..=to).step_by(97).chain([to]) {
+                        assert_eq!(part.position(offset), index.position(offset), "{offset}");
+                    }
+                }
+            }
+        }
+        assert_eq!(LineIndex::default().part(0..9).position(3), Position { line: 1, column: 4 });
     }
 
     #[test]

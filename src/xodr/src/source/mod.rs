@@ -21,5 +21,5 @@ pub use include::{IncludeRefusal, Inputs};
 pub use limits::SourceLimits;
 pub use line_index::{LineIndex, Position};
 pub use note::{Note, NoteKind, Refusal, RefusalKind};
-pub use places::{Places, SourceLocation};
+pub use places::{NearPlaces, Places, SourceLocation};
 pub use text::Source;

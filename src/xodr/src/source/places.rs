@@ -3,6 +3,7 @@
 use super::line_index::{LineIndex, Position};
 use std::collections::BTreeSet;
 use std::fmt;
+use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -82,6 +83,8 @@ pub struct Places {
     missing: Arc<Mutex<BTreeSet<PathBuf>>>,
     /// Whether some text comes from a patch: then the files know from where.
     has_pieces: Arc<AtomicBool>,
+    /// Whether there are several files, or such a patch.
+    has_several: Arc<AtomicBool>,
 }
 
 impl Places {
@@ -114,6 +117,18 @@ impl Places {
             file: file.name.clone(),
             position: file.lines.position(Self::offset_of(start)),
         }
+    }
+
+    /// The same for a stretch of one file's text, which one thread asks for places again and again.
+    pub fn near(&self, start: u64, length: usize) -> NearPlaces {
+        let files = self.lock();
+        // Of a text that comes from several files, each place is looked up.
+        let file =
+            files.get(usize::from(Self::file_of(start))).filter(|file| file.pieces.is_empty());
+        let from = Self::offset_of(start);
+        let lines = file.map(|file| file.lines.part(from..from.saturating_add(length as u64)));
+        let starts = start..start.saturating_add(lines.as_ref().map_or(0, |_| length as u64));
+        NearPlaces { all: self.clone(), starts, lines: lines.unwrap_or_default() }
     }
 
     /// The number of the file in which what is at a start is written: that of its text, or of a patch in it.
@@ -151,7 +166,7 @@ impl Places {
 
     /// Whether all text so far stands in one file.
     pub fn is_one_file(&self) -> bool {
-        !self.has_pieces.load(Ordering::Acquire) && self.files() <= 1
+        !self.has_several.load(Ordering::Acquire)
     }
 
     /// Files that were to be included and cannot be read, by name.
@@ -173,6 +188,7 @@ impl Places {
         if files.len() <= usize::from(u16::MAX) {
             let (name, lines) = (name.into(), LineIndex::default());
             files.push(File { name, included_at, lines, pieces: Vec::new() });
+            self.has_several.fetch_or(files.len() > 1, Ordering::AcqRel);
         }
         (files.len() - 1) as u16
     }
@@ -182,6 +198,7 @@ impl Places {
         if let Some(main) = self.lock().first_mut() {
             main.pieces.push(SourcePiece { start, file, at });
             self.has_pieces.store(true, Ordering::Release);
+            self.has_several.store(true, Ordering::Release);
         }
     }
 
@@ -195,5 +212,26 @@ impl Places {
     /// Nothing here can be left half done, so a panic elsewhere while it was held is no reason to stop.
     fn lock(&self) -> MutexGuard<'_, Vec<File>> {
         self.files.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Places in a document, and the lines of a stretch of it: these are told without a look at what all threads share.
+#[derive(Debug)]
+pub struct NearPlaces {
+    /// Places in the document.
+    pub all: Places,
+    /// The starts that are in the stretch.
+    starts: Range<u64>,
+    lines: LineIndex,
+}
+
+impl NearPlaces {
+    /// Line and column of a start in its file.
+    pub fn position(&self, start: u64) -> Position {
+        if self.starts.contains(&start) {
+            self.lines.position(Places::offset_of(start))
+        } else {
+            self.all.position(start)
+        }
     }
 }
