@@ -71,11 +71,11 @@ pub fn country(raw: &[u8]) -> Lexical<Country> {
     if text.is_empty() {
         return Lexical::none(Quirk::Empty);
     }
-    let upper = text.to_ascii_uppercase();
     let by_code = |from: usize, to: usize, form| {
-        let mut entries = CODES.as_bytes().chunks(STEP);
-        let entry = entries.find(|entry| entry.get(from..to) == Some(upper.as_slice()))?;
-        Some((Country::Code([entry[0], entry[1]], form), upper == text))
+        let codes =
+            CODES.as_bytes().chunks(STEP).filter_map(|entry| Some((entry, entry.get(from..to)?)));
+        let (entry, code) = { codes }.find(|(_, code)| text.eq_ignore_ascii_case(code))?;
+        Some((Country::Code([entry[0], entry[1]], form), text == code))
     };
     let found = match text.len() {
         2 => by_code(0, 2, CountryForm::Alpha2),
