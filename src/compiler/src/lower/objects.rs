@@ -57,6 +57,14 @@ impl Draft {
         ObjectContext { ontology, position }: ObjectContext<'_, impl Fn(Span) -> Position>,
         findings: &mut Vec<Finding>,
     ) {
+        // Many roads have an empty list.
+        if objects.object.is_empty()
+            && objects.object_reference.is_empty()
+            && objects.tunnel.is_empty()
+            && objects.bridge.is_empty()
+        {
+            return;
+        }
         let base = owner.path();
         for object in &objects.object {
             let tail = format!("object[@id={}]", object.id.text());
@@ -255,7 +263,10 @@ pub(crate) fn lanes(written: &[xodr::LaneValidity]) -> Vec<(i32, i32)> {
         let (from, to) = (from.or(to)?, to.or(from)?);
         Some((from.min(to), from.max(to)))
     };
-    written.iter().filter_map(lanes).collect()
+    // Nearly all have both, so that as much room is needed.
+    let mut all = Vec::with_capacity(written.len());
+    all.extend(written.iter().filter_map(lanes));
+    all
 }
 
 /// Says that a part of an object is left out.

@@ -227,11 +227,13 @@ impl Draft {
             let s_end = own.map_or(next, |own| next.min(s + own)).max(*s);
             let row = self.rows.sections.len() as u32;
             self.owners.add(section.span, AnnotationOwner::Section, row);
-            let mut own = lanes_of(section, path, findings);
-            let right = own.split_off(own.partition_point(|lane| lane.id >= 0));
+            let mut right = lanes_of(section, path, findings);
+            let count = right.partition_point(|lane| lane.id > 0);
             // Of one id there is one lane.
-            let center = own.pop_if(|lane| lane.id == 0);
-            for ((lanes, side), own) in lanes.iter_mut().zip(sides[i]).zip([own, right]) {
+            let center = right.get(count).copied().filter(|lane| lane.id == 0);
+            let others = count + usize::from(center.is_some());
+            let left = right.drain(..others).take(count).collect();
+            for ((lanes, side), own) in lanes.iter_mut().zip(sides[i]).zip([left, right]) {
                 if side.continues == 0 {
                     *lanes = own;
                 } else if let Some(left) = spare.checked_sub(lanes.len()) {
