@@ -41,10 +41,11 @@ impl StringTable {
     }
 
     fn add_bytes(&mut self, text: &[u8]) -> u32 {
-        let hash = match self.find(text) {
-            Ok(number) => return number,
-            Err(hash) => hash,
-        };
+        self.find(text).unwrap_or_else(|hash| self.insert(text, hash))
+    }
+
+    /// Adds a new text, where it would be entered.
+    fn insert(&mut self, text: &[u8], hash: u64) -> u32 {
         let (Ok(number), Ok(end)) =
             (u32::try_from(self.offsets.len() - 1), u32::try_from(self.bytes.len() + text.len()))
         else {
@@ -58,8 +59,23 @@ impl StringTable {
 
     /// Adds the texts of another table in its order; the number here of each number there.
     pub fn append(&mut self, other: &Self) -> Vec<u32> {
-        let numbers = 0..other.offsets.len().saturating_sub(1) as u32;
-        numbers.map(|number| self.add_bytes(other.bytes_of(number))).collect()
+        let texts = || (0..other.len() as u32).map(|number| other.bytes_of(number));
+        // The table is larger than caches: what hashes lead to is looked up for all of them at once, so that one does not wait for
+        // the other.
+        let led_to = texts().map(|text| {
+            let hash = self.hasher.of(text);
+            (hash, self.numbers.get(&hash).copied())
+        });
+        let led_to: Vec<(u64, Option<u32>)> = led_to.collect();
+        let add = |(text, (hash, known)): (&[u8], (u64, Option<u32>))| {
+            let known = known.filter(|number| self.bytes_of(*number) == text);
+            known.unwrap_or_else(|| match self.find_hashed(text, hash) {
+                Ok(number) => number,
+                Err(hash) => self.insert(text, hash),
+            })
+        };
+        // The first one is empty.
+        std::iter::once(0).chain(texts().zip(led_to).skip(1).map(add)).collect()
     }
 
     /// Number of a text that has been added before.
@@ -88,7 +104,11 @@ impl StringTable {
         if text.is_empty() {
             return Ok(0);
         }
-        let mut hash = self.hasher.of(text);
+        self.find_hashed(text, self.hasher.of(text))
+    }
+
+    /// As [`Self::find`], of a text that is not empty and whose hash is known.
+    fn find_hashed(&self, text: &[u8], mut hash: u64) -> Result<u32, u64> {
         while let Some(number) = self.numbers.get(&hash) {
             if self.bytes_of(*number) == text {
                 return Ok(*number);

@@ -1,6 +1,6 @@
 //! Ids, each kept once: a map names a road a dozen times.
 
-use std::hash::{BuildHasher as _, RandomState};
+use std::hash::{BuildHasher as _, Hasher as _, RandomState};
 
 /// An id by its number in the [`Network`](super::Network) that has it. The first one is the empty one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -83,19 +83,32 @@ impl IdTable {
     /// Adds all ids of another table in its order; the number here of each number there.
     pub(crate) fn append(&mut self, other: &Self) -> Vec<Name> {
         let is_hashed_alike = self.hasher.hash_one(0_u8) == other.hasher.hash_one(0_u8);
+        let texts = || (1..).map(|number| other.text(Name(number)));
+        let own_hash = |(hash, text): (&u32, &str)| {
+            if is_hashed_alike { *hash } else { self.hash(text) }
+        };
+        let hashes: Vec<u32> = other.hashes.iter().zip(texts()).map(own_hash).collect();
+        // The table is larger than caches: where hashes lead, and then what is there, is looked up for all of them at once, so that
+        // one does not wait for the other.
+        let last = self.table.len().wrapping_sub(1);
+        let led_to = hashes.iter().map(|hash| self.table.get(*hash as usize & last).copied());
+        let led_to: Vec<Name> = led_to.map(|number| Name(number.unwrap_or_default())).collect();
+        let hash_of = |name: &Name| Some(*self.hashes.get(name.number().checked_sub(1)?)?);
+        let known: Vec<Option<u32>> = led_to.iter().map(hash_of).collect();
         let mut names = Vec::with_capacity(other.len());
         names.push(Name::default());
-        for (at, hash) in other.hashes.iter().enumerate() {
-            let text = other.text(Name(at as u32 + 1));
-            let hash = if is_hashed_alike { *hash } else { self.hash(text) };
-            names.push(self.enter(text, hash, MOST_BYTES));
+        for (((text, hash), name), known) in texts().zip(hashes).zip(led_to).zip(known) {
+            let is_it = known == Some(hash) && self.text(name) == text;
+            names.push(if is_it { name } else { self.enter(text, hash, MOST_BYTES) });
         }
         self.is_incomplete |= other.is_incomplete;
         names
     }
 
     fn hash(&self, text: &str) -> u32 {
-        self.hasher.hash_one(text) as u32
+        let mut hasher = self.hasher.build_hasher();
+        hasher.write(text.as_bytes());
+        hasher.finish() as u32
     }
 
     fn enter(&mut self, text: &str, hash: u32, most_bytes: usize) -> Name {
