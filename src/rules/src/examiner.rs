@@ -6,60 +6,84 @@
 use crate::catalog;
 use crate::line::ReferenceLine;
 use crate::network::Network;
-use crate::order::sort_records;
+use crate::order::{are_records_sorted, sort_records};
+use crate::place::{LaneIn, ObjectIn, RoadIn, SectionIn, SignalIn};
 use crate::rule::{Check, Minor, Rule};
 use crate::settings::Settings;
 use crate::sink::{PathSegment, Sink};
-use mapd_xodr::{Finding, Item, Severity, Span};
+use mapd_xodr::{
+    CenterLane, Controller, Finding, Header, Item, Junction, JunctionGroup, Road, Severity, Span,
+    Station, VmsGroup,
+};
 use std::sync::Arc;
 
 /// A rule as it is applied.
+#[derive(Clone, Copy)]
 pub(crate) struct Applied {
     pub(crate) rule: &'static Rule,
     pub(crate) severity: Severity,
 }
 
+/// A rule that is applied, its rank among those, and the function that looks.
+pub(crate) struct Listed<F> {
+    pub(crate) rank: usize,
+    pub(crate) applied: Applied,
+    pub(crate) check: F,
+}
+
+/// Rules that look at something.
+type List<F> = Vec<Listed<F>>;
+
 /// Rules by what they look at.
 #[derive(Default)]
 pub(crate) struct Lists {
-    pub(crate) header: Vec<usize>,
-    pub(crate) order: Vec<usize>,
-    pub(crate) road: Vec<usize>,
-    pub(crate) section: Vec<usize>,
-    pub(crate) lane: Vec<usize>,
-    pub(crate) center_lane: Vec<usize>,
-    pub(crate) object: Vec<usize>,
-    pub(crate) signal: Vec<usize>,
-    pub(crate) junction: Vec<usize>,
-    pub(crate) controller: Vec<usize>,
-    pub(crate) junction_group: Vec<usize>,
-    pub(crate) station: Vec<usize>,
-    pub(crate) vms_group: Vec<usize>,
-    pub(crate) network: Vec<usize>,
+    pub(crate) header: List<fn(&Header, &mut Sink<'_>)>,
+    pub(crate) order: List<fn(&Road, &mut Sink<'_>)>,
+    pub(crate) records: List<fn(&Road, &mut Sink<'_>)>,
+    pub(crate) road: List<fn(&RoadIn<'_>, &mut Sink<'_>)>,
+    pub(crate) section: List<fn(&SectionIn<'_>, &mut Sink<'_>)>,
+    pub(crate) lane: List<fn(&LaneIn<'_>, &mut Sink<'_>)>,
+    pub(crate) center_lane: List<fn(&CenterLane, &mut Sink<'_>)>,
+    pub(crate) object: List<fn(&ObjectIn<'_>, &mut Sink<'_>)>,
+    pub(crate) signal: List<fn(&SignalIn<'_>, &mut Sink<'_>)>,
+    pub(crate) junction: List<fn(&Junction, &mut Sink<'_>)>,
+    pub(crate) controller: List<fn(&Controller, &mut Sink<'_>)>,
+    pub(crate) junction_group: List<fn(&JunctionGroup, &mut Sink<'_>)>,
+    pub(crate) station: List<fn(&Station, &mut Sink<'_>)>,
+    pub(crate) vms_group: List<fn(&VmsGroup, &mut Sink<'_>)>,
+    pub(crate) network: List<fn(&Network, &mut Sink<'_>)>,
 }
 
 impl Lists {
-    fn new(applied: &[Applied]) -> Self {
+    fn new(all: &[Applied]) -> Self {
         let mut lists = Self::default();
-        for (rank, applied) in applied.iter().enumerate() {
-            let list = match applied.rule.check {
-                Check::Header(_) => &mut lists.header,
-                Check::Order(_) => &mut lists.order,
-                Check::Road(_) => &mut lists.road,
-                Check::Section(_) => &mut lists.section,
-                Check::Lane(_) => &mut lists.lane,
-                Check::CenterLane(_) => &mut lists.center_lane,
-                Check::Object(_) => &mut lists.object,
-                Check::Signal(_) => &mut lists.signal,
-                Check::Junction(_) => &mut lists.junction,
-                Check::Controller(_) => &mut lists.controller,
-                Check::JunctionGroup(_) => &mut lists.junction_group,
-                Check::Station(_) => &mut lists.station,
-                Check::VmsGroup(_) => &mut lists.vms_group,
-                Check::Network(_) | Check::Overlaps(_) => &mut lists.network,
-                Check::Reading | Check::Building => continue,
-            };
-            list.push(rank);
+        for (rank, applied) in all.iter().copied().enumerate() {
+            macro_rules! list {
+                ($($kind:ident => $list:ident,)*) => {
+                    match applied.rule.check {
+                        $(Check::$kind(check) => lists.$list.push(Listed { rank, applied, check }),)*
+                        Check::Reading | Check::Building => {}
+                    }
+                };
+            }
+            list! {
+                Header => header,
+                Order => order,
+                Records => records,
+                Road => road,
+                Section => section,
+                Lane => lane,
+                CenterLane => center_lane,
+                Object => object,
+                Signal => signal,
+                Junction => junction,
+                Controller => controller,
+                JunctionGroup => junction_group,
+                Station => station,
+                VmsGroup => vms_group,
+                Network => network,
+                Overlaps => network,
+            }
         }
         lists
     }
@@ -149,8 +173,11 @@ impl Examiner {
         let rules = Arc::clone(&self.rules);
         let line = match item {
             Item::Road(road) => {
-                self.order(&rules, road);
-                sort_records(road);
+                let are_sorted = are_records_sorted(road);
+                self.order(&rules, road, are_sorted);
+                if !are_sorted {
+                    sort_records(road);
+                }
                 ReferenceLine::new(road.plan_view.as_deref())
             }
             Item::Junction(junction) => ReferenceLine::new(junction.plan_view.as_deref()),
@@ -161,10 +188,10 @@ impl Examiner {
     }
 
     /// Lets a rule look at something.
-    pub(crate) fn apply(
+    pub(crate) fn apply<F>(
         &mut self,
         rules: &Rules,
-        (rank, applied): (usize, &Applied),
+        &Listed { rank, applied, .. }: &Listed<F>,
         path: &[PathSegment<'_>],
         look: impl FnOnce(&mut Sink<'_>),
     ) {

@@ -32,6 +32,8 @@ pub enum Check {
     Header(fn(&Header, &mut Sink<'_>)),
     /// A road as written, before its records are sorted.
     Order(fn(&Road, &mut Sink<'_>)),
+    /// As `Order`, of records that are sorted: a road in which all stand in order is not looked at.
+    Records(fn(&Road, &mut Sink<'_>)),
     /// A road.
     Road(fn(&RoadIn<'_>, &mut Sink<'_>)),
     /// A lane section.

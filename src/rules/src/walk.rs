@@ -3,18 +3,14 @@
 use crate::examiner::{Examiner, Rules};
 use crate::line::ReferenceLine;
 use crate::place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn, number, text};
-use crate::rule::Check;
 use crate::sink::{Key, PathSegment};
 use mapd_xodr::{Item, Junction, Objects, Road};
 
 /// Applies each rule of a list to something.
 macro_rules! apply {
-    ($self:ident, $rules:ident, $list:ident, $kind:ident, $path:expr, $element:expr) => {
-        for rank in $rules.lists.$list.iter().copied() {
-            let Some(applied) = $rules.applied.get(rank) else { continue };
-            if let Check::$kind(check) = applied.rule.check {
-                $self.apply($rules, (rank, applied), $path, |sink| check($element, sink));
-            }
+    ($self:ident, $rules:ident, $list:ident, $path:expr, $element:expr) => {
+        for listed in &$rules.lists.$list {
+            $self.apply($rules, listed, $path, |sink| (listed.check)($element, sink));
         }
     };
 }
@@ -24,38 +20,41 @@ impl Examiner {
     pub(crate) fn walk(&mut self, rules: &Rules, item: &Item, line: &ReferenceLine) {
         match item {
             Item::Header(header) => {
-                apply!(self, rules, header, Header, &[PathSegment("header", Key::None)], header);
+                apply!(self, rules, header, &[PathSegment("header", Key::None)], header);
             }
             Item::Road(road) => self.road(rules, road, line),
             Item::Controller(controller) => {
                 let step = PathSegment("controller", Key::Id(text(&controller.id)));
-                apply!(self, rules, controller, Controller, &[step], controller);
+                apply!(self, rules, controller, &[step], controller);
             }
             Item::Junction(junction) => self.junction(rules, junction),
             Item::JunctionGroup(group) => {
                 let step = PathSegment("junctionGroup", Key::Id(text(&group.id)));
-                apply!(self, rules, junction_group, JunctionGroup, &[step], group);
+                apply!(self, rules, junction_group, &[step], group);
             }
             Item::Station(station) => {
                 let step = PathSegment("station", Key::Id(text(&station.id)));
-                apply!(self, rules, station, Station, &[step], station);
+                apply!(self, rules, station, &[step], station);
             }
             Item::VmsGroup(group) => {
                 let step = PathSegment("vmsGroup", Key::Id(text(&group.id)));
-                apply!(self, rules, vms_group, VmsGroup, &[step], group);
+                apply!(self, rules, vms_group, &[step], group);
             }
         }
     }
 
-    /// Applies the rules on the order of a road's records.
-    pub(crate) fn order(&mut self, rules: &Rules, road: &Road) {
+    /// Applies the rules on the order of what a road has along it.
+    pub(crate) fn order(&mut self, rules: &Rules, road: &Road, are_records_sorted: bool) {
         let step = PathSegment("road", Key::Id(text(&road.id)));
-        apply!(self, rules, order, Order, &[step], road);
+        apply!(self, rules, order, &[step], road);
+        if !are_records_sorted {
+            apply!(self, rules, records, &[step], road);
+        }
     }
 
     fn road(&mut self, rules: &Rules, road: &Road, line: &ReferenceLine) {
         let step = PathSegment("road", Key::Id(text(&road.id)));
-        apply!(self, rules, road, Road, &[step], &RoadIn { road, line });
+        apply!(self, rules, road, &[step], &RoadIn { road, line });
         for lanes in &road.lanes {
             for (index, section) in lanes.lane_section.iter().enumerate() {
                 self.section(rules, &SectionIn { road, lanes, section, index }, step);
@@ -70,28 +69,28 @@ impl Examiner {
                 PathSegment("signals", Key::None),
                 PathSegment("signal", Key::Id(text(&signal.id))),
             ];
-            apply!(self, rules, signal, Signal, &path, &SignalIn { road, signal });
+            apply!(self, rules, signal, &path, &SignalIn { road, signal });
         }
     }
 
     fn section(&mut self, rules: &Rules, section: &SectionIn<'_>, road: PathSegment<'_>) {
         let here = PathSegment("laneSection", Key::S(number(&section.section.s)));
         let path = [road, PathSegment("lanes", Key::None), here];
-        apply!(self, rules, section, Section, &path, section);
+        apply!(self, rules, section, &path, section);
         for (side, name) in [(Side::Left, "left"), (Side::Right, "right")] {
             for lane in section.side(side) {
                 let id = lane.id.map_or(0, |id| id.value);
                 let [a, b, c] = path;
                 let path =
                     [a, b, c, PathSegment(name, Key::None), PathSegment("lane", Key::Lane(id))];
-                apply!(self, rules, lane, Lane, &path, &LaneIn { section: *section, side, lane });
+                apply!(self, rules, lane, &path, &LaneIn { section: *section, side, lane });
             }
         }
         for lane in section.section.center.iter().flat_map(|center| &center.lane) {
             let [a, b, c] = path;
             let path =
                 [a, b, c, PathSegment("center", Key::None), PathSegment("lane", Key::Lane(0))];
-            apply!(self, rules, center_lane, CenterLane, &path, lane);
+            apply!(self, rules, center_lane, &path, lane);
         }
     }
 
@@ -108,13 +107,13 @@ impl Examiner {
                 PathSegment("objects", Key::None),
                 PathSegment("object", Key::Id(text(&object.id))),
             ];
-            apply!(self, rules, object, Object, &path, &ObjectIn { road, object });
+            apply!(self, rules, object, &path, &ObjectIn { road, object });
         }
     }
 
     fn junction(&mut self, rules: &Rules, junction: &Junction) {
         let step = PathSegment("junction", Key::Id(text(&junction.id)));
-        apply!(self, rules, junction, Junction, &[step], junction);
+        apply!(self, rules, junction, &[step], junction);
         if let Some(objects) = &junction.objects {
             self.objects(rules, objects, None, step);
         }

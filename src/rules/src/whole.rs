@@ -36,22 +36,17 @@ impl Whole {
     /// Whether a rule looks at all overlaps of roads. Finding them takes longer than any other rule, and the first caller
     /// keeps the others waiting.
     pub fn needs_overlaps(&self, check: usize) -> bool {
-        let rank = self.rules.lists.network.get(check);
-        let applied = rank.and_then(|rank| self.rules.applied.get(*rank));
-        applied.is_some_and(|applied| matches!(applied.rule.check, Check::Overlaps(_)))
+        let listed = self.rules.lists.network.get(check);
+        listed.is_some_and(|listed| matches!(listed.applied.rule.check, Check::Overlaps(_)))
     }
 
     /// Applies a rule.
     pub fn examine(&self, check: usize) -> Examined {
-        let Some(rank) = self.rules.lists.network.get(check).copied() else {
+        let Some(listed) = self.rules.lists.network.get(check) else {
             return Examined::default();
         };
         let mut examiner = Examiner::with(&self.rules);
-        if let Some(applied) = self.rules.applied.get(rank)
-            && let Check::Network(check) | Check::Overlaps(check) = applied.rule.check
-        {
-            examiner.apply(&self.rules, (rank, applied), &[], |sink| check(&self.network, sink));
-        }
+        examiner.apply(&self.rules, listed, &[], |sink| (listed.check)(&self.network, sink));
         Examined(examiner.found)
     }
 }

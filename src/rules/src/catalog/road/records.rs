@@ -2,7 +2,7 @@
 
 use crate::example::Example;
 use crate::place::number;
-use crate::rule::Check::{self, Order};
+use crate::rule::Check::{self, Order, Records};
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
 use mapd_xodr::{Attribute, Coefficients, LaneSection, Road, RoadMark, Severity, Span};
@@ -104,7 +104,7 @@ pub(super) static RULES: &[Rule] = &[
     rule(
         "asam.net:xodr:1.4.0:road.elevation.elem_asc_order",
         "Elevations are in the order of s.",
-        Order(elevations),
+        Records(elevations),
         records!(
             "<elevationProfile>",
             "elevation",
@@ -115,7 +115,7 @@ pub(super) static RULES: &[Rule] = &[
     rule(
         "asam.net:xodr:1.4.0:road.superelevation.elem_asc_order",
         "Superelevations are in the order of s.",
-        Order(superelevations),
+        Records(superelevations),
         records!(
             "<lateralProfile>",
             "superelevation",
@@ -126,13 +126,13 @@ pub(super) static RULES: &[Rule] = &[
     rule(
         "asam.net:xodr:1.4.0:road.type.elem_asc_order",
         "Types of a road are in the order of s.",
-        Order(types),
+        Records(types),
         records!("", "type", r#"type="town"/>"#, ""),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lanes.lane_offset.elem_asc_order",
         "Lane offsets are in the order of s.",
-        Order(lane_offsets),
+        Records(lane_offsets),
         [
             Example::Lanes(
                 r#"<laneOffset s="0" a="0" b="0.01" c="0" d="0"/><laneOffset s="50" a="0.5" b="0" c="0" d="0"/>
@@ -147,7 +147,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.4.0:road.shape.elem_asc_order",
         "Shapes are in the order of s; those with the same s are in the order of t.",
-        Order(shapes),
+        Records(shapes),
         [
             Example::Road(
                 r#"<lateralProfile><shape s="0" t="-5" a="0" b="0.01" c="0" d="0"/><shape s="0" t="0" a="0" b="0.02" c="0" d="0"/></lateralProfile>"#,
@@ -179,55 +179,55 @@ pub(super) static RULES: &[Rule] = &[
     rule(
         "asam.net:xodr:1.4.0:road.lane.width.elem_asc_order",
         "Widths of a lane are in the order of sOffset.",
-        Order(widths),
+        Records(widths),
         lane_records!("width", r#"a="3" b="0" c="0" d="0"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.border.elem_asc_order",
         "Borders of a lane are in the order of sOffset.",
-        Order(borders),
+        Records(borders),
         lane_records!("border", r#"a="-3" b="0" c="0" d="0"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.height.elem_asc_order",
         "Heights of a lane are in the order of sOffset.",
-        Order(heights),
+        Records(heights),
         lane_records!("height", r#"inner="0" outer="0.1"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.material.elem_asc_order",
         "Materials of a lane are in the order of sOffset.",
-        Order(materials),
+        Records(materials),
         lane_records!("material", r#"friction="0.8"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.speed.elem_asc_order",
         "Speed limits of a lane are in the order of sOffset.",
-        Order(speeds),
+        Records(speeds),
         lane_records!("speed", r#"max="50" unit="km/h"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.access.elem_asc_order",
         "Access restrictions of a lane are in the order of sOffset.",
-        Order(accesses),
+        Records(accesses),
         lane_records!("access", r#"rule="deny"><restriction type="bus"/></access>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.rule.elem_asc_order",
         "Traffic rules of a lane are in the order of sOffset.",
-        Order(rules),
+        Records(rules),
         lane_records!("rule", r#"value="no stopping at any time"/>"#),
     ),
     rule(
         "asam.net:xodr:1.4.0:road.lane.road_mark.elem_asc_order",
         "Road marks of a lane are in the order of sOffset.",
-        Order(road_marks),
+        Records(road_marks),
         lane_records!("roadMark", r#"type="solid" color="white"/>"#),
     ),
     rule(
         "mapd:xodr:1.4.0:record.elem_asc_order",
         "Crossfalls, coefficients of a cross-section surface, visibilities of a lane and the sway of a road mark are in the order of s.",
-        Order(others),
+        Records(others),
         [
             Example::Lane(
                 r#"<roadMark sOffset="0" type="solid" color="white"><sway ds="0" a="0" b="0" c="0" d="0"/><sway ds="9" a="0.1" b="0" c="0" d="0"/></roadMark>"#,
