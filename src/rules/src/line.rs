@@ -251,7 +251,8 @@ impl ReferenceLine {
         self.pieces.get(self.rank_at(s))
     }
 
-    fn rank_at(&self, s: f64) -> usize {
+    /// Rank among the pieces of that one.
+    pub(crate) fn rank_at(&self, s: f64) -> usize {
         self.pieces.partition_point(|piece| piece.s <= s).saturating_sub(1)
     }
 

@@ -107,11 +107,22 @@ impl<'a> SectionIn<'a> {
         self.side(Side::Left).iter().chain(self.side(Side::Right))
     }
 
-    /// Lanes of a side from the center outwards.
-    pub fn outwards(&self, side: Side) -> Vec<&'a Lane> {
-        let mut lanes: Vec<&Lane> = self.side(side).iter().collect();
-        lanes.sort_by_key(|lane| lane.id.map_or(0, |id| id.value).unsigned_abs());
-        lanes
+    /// Lanes of a side from the center outwards; of those as far out as one another, the first written comes first.
+    pub fn outwards(&self, side: Side) -> impl Iterator<Item = &'a Lane> + use<'a> {
+        let lanes = self.side(side);
+        let number = |lane: &Lane| lane.id.map_or(0, |id| id.value).unsigned_abs();
+        // Nearly all stand from the left to the right, so that nothing has to be sorted.
+        let none = (&[][..], &[][..], Vec::new());
+        let (forth, back, sorted) = if lanes.is_sorted_by_key(number) {
+            (lanes, none.1, none.2)
+        } else if lanes.is_sorted_by(|a, b| number(a) > number(b)) {
+            (none.0, lanes, none.2)
+        } else {
+            let mut sorted: Vec<&Lane> = lanes.iter().collect();
+            sorted.sort_by_key(|lane| number(lane));
+            (none.0, none.1, sorted)
+        };
+        forth.iter().chain(back.iter().rev()).chain(sorted)
     }
 
     /// The lane of an id.

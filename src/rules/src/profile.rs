@@ -62,20 +62,14 @@ pub(crate) fn width_at(lane: &Lane, ds: f64) -> Option<f64> {
 }
 
 /// The borders of a side at a distance from the section's start: (id, inner t, outer t) from the center outwards.
-pub(crate) fn borders_at(section: &SectionIn<'_>, side: Side, ds: f64) -> Vec<(i32, f64, f64)> {
-    borders_of(section, &section.outwards(side), side, ds).collect()
-}
-
-/// As [`borders_at`], of the side's lanes from the center outwards: for those who ask at many places.
-pub(crate) fn borders_of(
-    section: &SectionIn<'_>,
-    lanes: &[&Lane],
+pub(crate) fn borders_at<'a>(
+    section: &SectionIn<'a>,
     side: Side,
     ds: f64,
-) -> impl Iterator<Item = (i32, f64, f64)> {
+) -> impl Iterator<Item = (i32, f64, f64)> + use<'a> {
     let sign = if side == Side::Left { 1.0 } else { -1.0 };
     let mut inner = lane_offset_at(section, section.s() + ds);
-    lanes.iter().map(move |lane| {
+    section.outwards(side).map(move |lane| {
         let outer = match width_at(lane, ds) {
             Some(width) => inner + sign * width,
             None => value_at(&lane.border, ds),

@@ -2,16 +2,16 @@
 
 use super::facts::{
     Contact, IdentifiedPart, LaneFacts, LaneLinkFacts, LinkFacts, LinkTarget, PartKind, RoadApart,
-    RoadFacts, SectionFacts, rank_of,
+    RoadFacts, SectionFacts,
 };
 use super::references::{Kinds, NamedAt, Reference, ReferencePlace};
 use super::{NONE, Name, Network};
 use crate::line::ReferenceLine;
 use crate::place::{SectionIn, Side, is_left_hand, junction_of, number, text, value};
-use crate::profile::borders_of;
+use crate::profile::borders_at;
 use mapd_xodr::{
-    Attribute, ContactPoint, ElementType, Item, LaneDirection, LaneType, LayerType, LinkedElement,
-    Objects, Road, Span,
+    Attribute, ContactPoint, ElementType, Item, Lane, LaneDirection, LaneType, LayerType,
+    LinkedElement, Objects, Road, Span,
 };
 use std::cmp::Reverse;
 use std::ops::Range;
@@ -151,7 +151,9 @@ impl Network {
             self.add_signals(signals, id, rank);
         }
         self.add_switches(road, rank);
+        let lane_links = self.lane_links.len();
         let sections = self.add_sections(road);
+        let has_lane_links = self.lane_links.len() > lane_links;
         let stations = self.add_stations(road, line);
         let elevations = road.elevation_profile.iter().flat_map(|profile| &profile.elevation);
         let has_elevation =
@@ -171,6 +173,7 @@ impl Network {
             is_left_hand: is_left_hand(road),
             has_crg: road.surface.as_ref().is_some_and(|surface| !surface.crg.is_empty()),
             has_switches: road.railroad.as_ref().is_some_and(|rail| !rail.switch.is_empty()),
+            has_lane_links,
             has_elevation,
         });
     }
@@ -214,53 +217,14 @@ impl Network {
         for section in permanent(road) {
             let first = self.lanes.len();
             let sides = [Side::Left, Side::Right];
-            let mut inner: [Vec<_>; 2] = [Vec::new(), Vec::new()];
             for side in sides {
-                let lanes = section.outwards(side);
-                for (at, ds) in [(0, 0.0), (1, section.length_of(side))] {
-                    inner[at].extend(borders_of(&section, &lanes, side, ds));
+                let at = |ds: f64| borders_at(&section, side, ds);
+                let lanes = section.outwards(side).zip(at(0.0)).zip(at(section.length_of(side)));
+                for ((lane, start), end) in lanes {
+                    self.add_lane(lane, start, end);
                 }
             }
-            for borders in &mut inner {
-                borders.sort_by_key(|(id, ..)| Reverse(*id));
-            }
-            for lane in section.lanes() {
-                let Some(id) = value(&lane.id) else { continue };
-                let find = |at: usize| {
-                    let borders: &[(i32, f64, f64)] = &inner[at];
-                    let own = rank_of(borders, id, |border| border.0);
-                    own.map_or([0.0; 2], |own| [borders[own].1, borders[own].2])
-                };
-                let (start, end) = (find(0), find(1));
-                let links = lane.link.as_deref();
-                let first = self.lane_links.len() as u32;
-                let ends =
-                    [links.map(|l| &l.predecessor), links.map(|l| &l.successor)].map(|list| {
-                        let links = list.into_iter().flatten();
-                        for link in links {
-                            if let Some(id) = value(&link.id) {
-                                let to_temporary = text(&link.layer) == TEMPORARY;
-                                let link = LaneLinkFacts { span: link.span, id, to_temporary };
-                                self.lane_links.push(link);
-                            }
-                        }
-                        self.lane_links.len() as u32
-                    });
-                let direction = value(&lane.direction).unwrap_or(LaneDirection::Standard);
-                let kind = value(&lane.r#type).unwrap_or(LaneType::None);
-                self.lanes.push(LaneFacts {
-                    span: lane.span,
-                    id,
-                    inner: [start[0], end[0]],
-                    outer: [start[1], end[1]],
-                    links: [first, ends[0], ends[1]],
-                    kind,
-                    direction,
-                    is_level: value(&lane.level) == Some(true),
-                });
-            }
-            // Of lanes with one id, of which a rule tells, the first one written is meant.
-            self.lanes[first..].sort_by_key(|lane| (Reverse(lane.id), lane.span.start));
+            self.sort_lanes(first);
             self.sections.push(SectionFacts {
                 span: section.section.span,
                 s: section.s(),
@@ -274,7 +238,49 @@ impl Network {
         SectionFacts::join(&mut self.sections[before..]);
         before as u32..self.sections.len() as u32
     }
+
+    /// Takes a lane that has an id, and the inner and outer border at its section's start and end.
+    fn add_lane(&mut self, lane: &Lane, start: Border, end: Border) {
+        let Some(id) = value(&lane.id) else { return };
+        let links = lane.link.as_deref();
+        let first = self.lane_links.len() as u32;
+        let ends = [links.map(|l| &l.predecessor), links.map(|l| &l.successor)].map(|list| {
+            for link in list.into_iter().flatten() {
+                if let Some(id) = value(&link.id) {
+                    let to_temporary = text(&link.layer) == TEMPORARY;
+                    self.lane_links.push(LaneLinkFacts { span: link.span, id, to_temporary });
+                }
+            }
+            self.lane_links.len() as u32
+        });
+        self.lanes.push(LaneFacts {
+            span: lane.span,
+            id,
+            inner: [start.1, end.1],
+            outer: [start.2, end.2],
+            links: [first, ends[0], ends[1]],
+            kind: value(&lane.r#type).unwrap_or(LaneType::None),
+            direction: value(&lane.direction).unwrap_or(LaneDirection::Standard),
+            is_level: value(&lane.level) == Some(true),
+        });
+    }
+
+    /// Sorts the lanes of the last section, which begin at a rank, by falling id.
+    fn sort_lanes(&mut self, first: usize) {
+        let lanes = &mut self.lanes[first..];
+        lanes.sort_by_key(|lane| Reverse(lane.id));
+        for same in lanes.chunk_by_mut(|a, b| a.id == b.id) {
+            // Of lanes with one id, of which a rule tells, the first one written is meant; all have one lane's borders.
+            if let [LaneFacts { inner, outer, .. }, _, ..] = *same {
+                same.iter_mut().for_each(|lane| (lane.inner, lane.outer) = (inner, outer));
+                same.sort_by_key(|lane| lane.span.start);
+            }
+        }
+    }
 }
+
+/// A lane's id, inner and outer border: t `[m]`.
+type Border = (i32, f64, f64);
 
 /// Sections of the permanent layer.
 pub(super) fn permanent(road: &Road) -> impl Iterator<Item = SectionIn<'_>> {

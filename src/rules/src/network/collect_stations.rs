@@ -6,6 +6,7 @@ use super::stations::{Heading, OnLine, STATION_STEP, Station};
 use crate::line::{ReferenceLine, Walk};
 use crate::place::{SectionIn, Side, number};
 use crate::profile::{elevation_at, outermost_at, superelevation_at};
+use mapd_geometry::CurvePoint;
 use mapd_xodr::Road;
 use std::ops::Range;
 
@@ -18,6 +19,9 @@ const STATION_STEP_MIN: f64 = 0.5;
 /// Cross-sections of one geometry at most, but for those of lane sections; of longer ones they are farther apart than
 /// [`STATION_STEP`].
 const STATIONS_OF_A_GEOMETRY: f64 = 1024.0;
+
+/// Room for the cross-sections of most roads.
+const STATIONS_AT_FIRST: usize = 16;
 
 /// Cross-sections of one road at most: a bound on memory for hostile files.
 const STATIONS_OF_A_ROAD: usize = 100_000;
@@ -46,13 +50,13 @@ impl Network {
         let sections: Vec<SectionIn<'_>> = permanent(road).collect();
         let written = written(&sections);
         let (mut lanes, mut walk) = (0, Walk::new(line));
-        for s in places(line, &sections, end) {
+        for Place { s, point } in places(line, &sections, end) {
             let sides = sides_at(&sections, &written, s);
             lanes += sides.iter().map(|side| side.lanes(&sections)).sum::<usize>();
             if lanes > LANES_OF_A_ROAD && s < end {
                 continue;
             }
-            let Some(point) = walk.at(s) else { break };
+            let Some(point) = point.or_else(|| walk.at(s)) else { break };
             let [left, right] = sides.map(|side| side.outermost(&sections, s));
             let station = Station {
                 s,
@@ -145,25 +149,39 @@ fn sides_at(sections: &[SectionIn<'_>], written: &[[SectionEnd; 2]], s: f64) -> 
     [SideAt { side: Side::Left, written: left }, SideAt { side: Side::Right, written: right }]
 }
 
+/// Where a cross-section is kept.
+struct Place {
+    /// `[m]`
+    s: f64,
+    /// The point of the reference line there, where it is known already.
+    point: Option<CurvePoint>,
+}
+
 /// Where cross-sections are kept, ascending.
-fn places(line: &ReferenceLine, sections: &[SectionIn<'_>], end: f64) -> Vec<f64> {
+fn places(line: &ReferenceLine, sections: &[SectionIn<'_>], end: f64) -> Vec<Place> {
     let steps = mapd_geometry::clamp(end / STATION_STEP, 0.0, STATIONS_OF_A_GEOMETRY) as usize;
-    let mut places = Vec::with_capacity(steps + line.pieces.len() + sections.len() + 1);
-    for piece in &line.pieces {
+    let count = steps + line.pieces.len() + sections.len() + 1;
+    let mut places = Vec::with_capacity(count.max(STATIONS_AT_FIRST));
+    for (rank, piece) in line.pieces.iter().enumerate() {
         let until = (piece.s + piece.length).min(end);
         let (mut s, curve) = (piece.s, piece.curve());
         while s < until && places.len() < STATIONS_OF_A_ROAD {
-            places.push(s);
-            let bend = |u: f64| curve.map_or(0.0, |curve| curve.curvature(u).abs());
-            let (bend, ahead) = (bend(s - piece.s), bend(s - piece.s + STATION_STEP_MIN));
-            let step = (8.0 * CHORD_ERROR / bend.max(ahead)).sqrt().min(STATION_STEP);
+            let point = curve.map(|curve| curve.evaluate(s - piece.s));
+            let ahead = curve.map_or(0.0, |curve| curve.curvature(s - piece.s + STATION_STEP_MIN));
+            let bend = point.map_or(0.0, |point| point.curvature.abs()).max(ahead.abs());
+            // Where pieces lie over one another, another one may be the line's.
+            places.push(Place { s, point: point.filter(|_| line.rank_at(s) == rank) });
+            let step = (8.0 * CHORD_ERROR / bend).sqrt().min(STATION_STEP);
             s += step.max(STATION_STEP_MIN).max(piece.length / STATIONS_OF_A_GEOMETRY);
         }
     }
-    places.extend(sections.iter().map(|section| section.s()).filter(|s| *s >= 0.0 && *s < end));
-    places.push(end);
-    places.retain(|s| s.is_finite());
-    places.sort_by(f64::total_cmp);
-    places.dedup();
+    // Most roads have one section, which begins with them.
+    let first = places.first().map(|place: &Place| place.s);
+    let others = sections.iter().map(|section| section.s());
+    let others = others.filter(|s| *s >= 0.0 && *s < end && Some(*s) != first);
+    places.extend(others.chain([end]).map(|s| Place { s, point: None }));
+    places.retain(|place| place.s.is_finite());
+    places.sort_by(|a, b| a.s.total_cmp(&b.s));
+    places.dedup_by_key(|place| place.s);
     places
 }

@@ -66,6 +66,8 @@ pub struct RoadFacts {
     pub has_crg: bool,
     /// It has railway switches.
     pub has_switches: bool,
+    /// Lanes of it have links.
+    pub(super) has_lane_links: bool,
     /// It has elevations other than 0.
     pub has_elevation: bool,
 }

@@ -161,7 +161,7 @@ impl Network {
 
     /// Shows every link of every lane.
     pub fn each_lane_joint<'a>(&'a self, mut show: impl FnMut(&LaneJoint<'a>)) {
-        for road in &self.roads {
+        for road in self.roads.iter().filter(|road| road.has_lane_links) {
             for (rank, section) in self.sections_of(road).iter().enumerate() {
                 // Lanes stand by falling id: those to the left come first.
                 let (mut side, mut neighbors) = (0, [None; 2]);
@@ -169,11 +169,7 @@ impl Network {
                     let own_side = if lane.id < 0 { -1 } else { 1 };
                     if side != own_side {
                         side = own_side;
-                        let [start, end] = Contact::BOTH;
-                        neighbors = [
-                            self.neighbor(road, rank, start, side),
-                            self.neighbor(road, rank, end, side),
-                        ];
+                        neighbors = Contact::BOTH.map(|end| self.neighbor(road, rank, end, side));
                     }
                     for end in Contact::BOTH {
                         let neighbor = neighbors[end as usize];

@@ -186,6 +186,7 @@ mod tests {
                 is_left_hand: false,
                 has_crg: false,
                 has_switches: false,
+                has_lane_links: false,
                 has_elevation: false,
             });
             network.junctions.push(JunctionFacts {

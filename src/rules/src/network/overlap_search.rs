@@ -116,8 +116,9 @@ pub(super) fn find(network: &Network) -> Overlaps {
         cells.clear();
         network.sort_into_cells(strip, roads, &mut places, &mut cells);
         cells.sort_unstable();
+        let mut runs = Vec::new();
         for cell in cells.chunk_by(|a, b| a.0 == b.0) {
-            search.look_in(&places, cell);
+            search.look_in(&places, cell, &mut runs);
         }
     }
     Overlaps {
@@ -136,11 +137,17 @@ impl<'a> Search<'a> {
         self.found.contains_key(&pair) || self.expected.contains(&pair)
     }
 
-    /// Looks for overlaps in a cell.
-    fn look_in(&mut self, places: &[StretchSummary], cell: &[(Cell, u32)]) {
+    /// Looks for overlaps in a cell; `runs` is room for its roads.
+    fn look_in<'c>(
+        &mut self,
+        places: &[StretchSummary],
+        cell: &'c [(Cell, u32)],
+        runs: &mut Vec<Run<'c>>,
+    ) {
         let road = |entry: &(Cell, u32)| places.get(entry.1 as usize).map(|place| place.road);
-        let runs = cell.chunk_by(|a, b| road(a) == road(b));
-        let mut runs: Vec<Run<'_>> = runs.filter_map(|run| self.run(places, run)).collect();
+        let own = cell.chunk_by(|a, b| road(a) == road(b));
+        runs.clear();
+        runs.extend(own.filter_map(|run| self.run(places, run)));
         runs.sort_by(|a, b| a.bounds[0].total_cmp(&b.bounds[0]).then(a.road.cmp(&b.road)));
         for (at, run) in runs.iter().enumerate() {
             self.look_along(places, run);
@@ -385,6 +392,7 @@ mod tests {
                 is_left_hand: false,
                 has_crg: false,
                 has_switches: false,
+                has_lane_links: false,
                 has_elevation: false,
             });
         }

@@ -117,14 +117,18 @@ impl OnLine {
     /// Whether the first and the last of these places tell all others, bit by bit.
     pub(super) fn are_straight(places: &[Self]) -> bool {
         let [first, between @ .., last] = places else { return false };
+        let is_even = |place: &Self| place.hdg.to_bits() == first.hdg.to_bits();
+        if first.s.to_bits() != 0
+            || !between.first().is_some_and(is_even)
+            || places.len() != straight_count(last)
+        {
+            return false;
+        }
         let direction = mapd_geometry::cos_sin(first.hdg);
         let is_straight_on = |(number, place): (usize, &Self)| {
             first.straight_on(direction, number + 1).bits() == place.bits()
         };
-        !between.is_empty()
-            && places.len() == straight_count(last)
-            && first.s.to_bits() == 0
-            && between.iter().enumerate().all(is_straight_on)
+        between.iter().enumerate().all(is_straight_on)
     }
 }
 
@@ -245,7 +249,8 @@ impl<'a> Stations<'a> {
                 end = middle;
             }
         }
-        let (a, b) = (self.get(after.saturating_sub(1))?, self.get(after));
+        let a = self.get(after.saturating_sub(1))?;
+        let b = if s > a.s { self.get(after) } else { None };
         Some(b.map_or(a, |b| a.between(&b, s)))
     }
 }

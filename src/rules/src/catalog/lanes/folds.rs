@@ -3,7 +3,7 @@
 use crate::example::Example::Document;
 use crate::line::Walk;
 use crate::place::{RoadIn, SectionIn, Side, lane_part, number};
-use crate::profile::{borders_of, superelevation_at};
+use crate::profile::{borders_at, superelevation_at};
 use crate::rule::Check::Road;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
@@ -92,7 +92,7 @@ fn look<'a>(
 ) {
     let length = section.length_of(side);
     let count = mapd_geometry::clamp((length / step).ceil(), 1.0, PLACES) as u32;
-    let (lanes, mut walk) = (section.outwards(side), Walk::new(of.line));
+    let mut walk = Walk::new(of.line);
     for place in 0..=count {
         let ds = length * f64::from(place) / f64::from(count);
         let s = section.s() + ds;
@@ -101,7 +101,7 @@ fn look<'a>(
             continue;
         }
         let roll = mapd_geometry::cos_sin(superelevation_at(of.road, s)).0;
-        for (id, inner, outer) in borders_of(section, &lanes, side, ds) {
+        for (id, inner, outer) in borders_at(section, side, ds) {
             let t = 0.5 * (inner + outer);
             let along = 1.0 - curvature * t * roll;
             if along < -FOLD.value && worst.get(&id).is_none_or(|fold| along < fold.along) {

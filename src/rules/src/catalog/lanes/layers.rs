@@ -195,10 +195,7 @@ fn not_wider(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
         return;
     }
     let width = |section: &SectionIn<'_>, side, ds| {
-        borders_at(section, side, ds)
-            .iter()
-            .map(|(_, inner, outer)| (outer - inner).abs())
-            .sum::<f64>()
+        borders_at(section, side, ds).map(|(_, inner, outer)| (outer - inner).abs()).sum::<f64>()
     };
     for side in [Side::Left, Side::Right] {
         for place in 0..PLACES {

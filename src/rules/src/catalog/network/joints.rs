@@ -167,10 +167,16 @@ fn corners(network: &Network, sink: &mut Sink<'_>) {
             add(joint, joint.link.span, &other, gap);
         }
     });
+    let mut joints = Vec::new();
     for junction in network.junctions.iter().filter(|junction| junction.kind == Kind::Default) {
         for connection in network.connections_of(junction) {
-            let joints: Vec<_> = network.connected_joints_of(junction, connection).collect();
-            connected_corners(network, &joints, sink);
+            joints.clear();
+            joints.extend(network.connected_joints_of(junction, connection));
+            match joints.as_slice() {
+                // As most connections are.
+                [joint] => group_corners(network, &joint.from, &[joint.to], &[joint], sink),
+                joints => connected_corners(network, joints, sink),
+            }
         }
     }
 }
@@ -198,21 +204,31 @@ fn connected_corners(network: &Network, joints: &[ConnectedJoint<'_>], sink: &mu
         groups.entry(key).or_default().push(joint);
     }
     for ((_, to), group) in &groups {
-        // Where lanes link to one another themselves, their own links are looked at.
-        let Some(first) = group.first().filter(|_| !group.iter().any(|j| network.links_back(j)))
-        else {
-            continue;
-        };
+        let Some(first) = group.first() else { continue };
         let is_split = *to == 0;
         let own = if is_split || group.len() == 1 { &first.from } else { &first.to };
         let others = group.iter().map(|j| if is_split || group.len() == 1 { j.to } else { j.from });
-        let others: Vec<_> = others.collect();
-        for (at, gap) in astray(network, own, &others).into_iter().flatten() {
-            let Some(joint) = group.get(at) else { continue };
-            let [from, to] = [&joint.from, &joint.to].map(|end| end.lane.id);
-            let expected = format_args!("lanes {from} and {to} that meet");
-            add_to_link(network, joint, sink, expected, format_args!("a gap of {gap:.3} m"));
-        }
+        group_corners(network, own, &others.collect::<Vec<_>>(), group, sink);
+    }
+}
+
+/// The corners of a lane and of those that it goes on as or comes from, by as many links.
+fn group_corners(
+    network: &Network,
+    own: &LaneEnd<'_>,
+    others: &[LaneEnd<'_>],
+    links: &[&ConnectedJoint<'_>],
+    sink: &mut Sink<'_>,
+) {
+    // Where lanes link to one another themselves, their own links are looked at.
+    if links.iter().any(|joint| network.links_back(joint)) {
+        return;
+    }
+    for (at, gap) in astray(network, own, others).into_iter().flatten() {
+        let Some(joint) = links.get(at) else { continue };
+        let [from, to] = [&joint.from, &joint.to].map(|end| end.lane.id);
+        let expected = format_args!("lanes {from} and {to} that meet");
+        add_to_link(network, joint, sink, expected, format_args!("a gap of {gap:.3} m"));
     }
 }
 

@@ -219,8 +219,10 @@ fn no_width(network: &Network, end: Contact, sink: &mut Sink<'_>) {
     let mut told = BTreeSet::new();
     for joint in network.connected_joints(Kind::Default) {
         for of in [&joint.from, &joint.to] {
-            let is_linked = !network.links_of(of.lane, of.end).is_empty();
-            if of.end != end || of.width() > NONE.value || is_linked {
+            if of.end != end
+                || of.width() > NONE.value
+                || !network.links_of(of.lane, of.end).is_empty()
+            {
                 continue;
             }
             if told.insert((of.road.id, of.lane.span.start)) {

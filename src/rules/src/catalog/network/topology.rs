@@ -139,13 +139,16 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
     });
     // Lanes side by side are of one part.
     for section in &network.sections {
-        let lanes = section
-            .lane_ranks()
-            .filter(|rank| network.lanes.get(*rank).is_some_and(|lane| is_drivable(lane.kind)));
-        let lanes: Vec<usize> = lanes.collect();
-        for pair in lanes.windows(2) {
-            let (a, b) = (root(&mut parents, pair[0]), root(&mut parents, pair[1]));
-            parents[a.max(b)] = a.min(b);
+        let mut before = None;
+        for (rank, lane) in section.lane_ranks().zip(network.lanes_of(section)) {
+            if !is_drivable(lane.kind) {
+                continue;
+            }
+            let own = root(&mut parents, rank);
+            if let Some(other) = before.replace(rank) {
+                let other = root(&mut parents, other);
+                parents[own.max(other)] = own.min(other);
+            }
         }
     }
     let mut parts: BTreeMap<usize, usize> = BTreeMap::new();
@@ -161,6 +164,9 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
     else {
         return;
     };
+    if parts.len() == 1 {
+        return;
+    }
     let mut roads: BTreeMap<usize, Name> = BTreeMap::new();
     for road in &network.roads {
         for section in network.sections_of(road) {

@@ -49,8 +49,7 @@ fn centered(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
     let width = |side| {
         let lane = of.side(side).iter().find(|lane| is_rail(lane))?;
         let id = value(&lane.id)?;
-        let borders = borders_at(of, side, 0.0);
-        let border = borders.iter().find(|border| border.0 == id)?;
+        let border = borders_at(of, side, 0.0).find(|border| border.0 == id)?;
         Some((lane.span, border.1 + border.2))
     };
     let (left, right) = (width(Side::Left), width(Side::Right));
