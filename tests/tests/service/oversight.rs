@@ -8,6 +8,7 @@ use serde_json::Value;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::TcpStream;
 use std::os::unix::fs::PermissionsExt;
+use std::path::Path;
 use std::process::{Child, ChildStderr, Command};
 use std::time::{Duration, Instant};
 
@@ -379,4 +380,55 @@ fn a_scrub_finds_a_changed_byte_and_the_watchdog_falls_silent() {
     until("a query", || (answered() > before).then_some(()));
     manager.drain();
     assert_eq!(manager.hear(2 * WATCHDOG), None, "pinged although memory is bad");
+}
+
+/// What may happen to a record while its daemon runs.
+type Damage = fn(&Path);
+
+/// A record that kept every newcomer out was sound to scrubs and to `mapd status --healthy`, and no reload repaired it.
+#[test]
+fn a_record_that_keeps_newcomers_out_is_found_and_mended() {
+    let cases: [(&str, Damage); 3] = [
+        ("damaged", |record| {
+            let file = std::fs::OpenOptions::new().write(true).open(record).expect("opens");
+            std::os::unix::fs::FileExt::write_all_at(&file, b"garbage", 0).expect("written");
+        }),
+        ("missing", |record| std::fs::remove_file(record).expect("removed")),
+        ("another's", |record| {
+            std::fs::remove_file(record).expect("removed");
+            std::fs::write(record, "garbage").expect("written");
+        }),
+    ];
+    for (case, damage) in cases {
+        let place = place();
+        let args = ["--log", "json", "--log-level", "debug", "--scrub", "1"];
+        let mut daemon = Logged::start(&mut place.command(), &args);
+        daemon.event("proves");
+        let connect = |wait| mapd_client::Client::connect_in(&place.domain(), "town", wait);
+        let held = connect(PATIENCE).expect("attaches");
+        let status = |args: &[&str]| {
+            let output = place.command().arg("status").args(args).output().expect("runs");
+            (output.status.code(), String::from_utf8_lossy(&output.stdout).into_owned())
+        };
+        until("health", || (status(&["--healthy"]).0 == Some(0)).then_some(()));
+        damage(&place.domain().root().join("town.published"));
+        assert!(connect(Duration::ZERO).is_err(), "{case}");
+        let (code, text) = status(&["--healthy"]);
+        assert_eq!(code, Some(1), "{case}: {text}");
+        assert!(text.contains("new readers cannot attach"), "{case}: {text}");
+        let event = daemon.event("fails verification");
+        assert_eq!(event["level"], "ERROR", "{case}: {event}");
+        let failures = || place.state("town").scrubs.failures;
+        until("the count", || (failures() > 0).then_some(()));
+        // Its file has not changed: a reload repairs what is served all the same.
+        let generation = place.reload("town").generation;
+        let client = connect(Duration::ZERO).unwrap_or_else(|error| panic!("{case}: {error}"));
+        assert_eq!(Some(client.snapshot().generation()), generation, "{case}");
+        let newer = held.wait_next(PATIENCE).unwrap_or_else(|error| panic!("{case}: {error}"));
+        assert_eq!(Some(newer.generation()), generation, "{case}");
+        let (code, text) = status(&["--healthy"]);
+        assert_eq!(code, Some(0), "{case}: {text}");
+        daemon.event("proves");
+        assert_eq!(daemon.terminate(), Some(0), "{case}");
+    }
 }

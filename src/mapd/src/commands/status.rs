@@ -20,6 +20,9 @@ const WAIT: Duration = Duration::from_secs(1);
 /// Least width of the column of names.
 const LEAST_NAME: usize = 20;
 
+/// What is said where newcomers find no generation although one is served.
+const UNREADABLE: &str = "the record of what is served is missing or damaged, so that new readers cannot attach; mend it with `mapd reload`";
+
 /// A map: what everybody can see of it, and what its daemon says.
 #[derive(Serialize)]
 struct Status {
@@ -96,8 +99,17 @@ impl Status {
             Some(state) if state.self_queries.last_failed == Some(true) => {
                 Some(format!("{name}: {}", state.self_queries.last_error))
             }
-            Some(_) => None,
+            Some(state) if state.scrubs.last_failed == Some(true) => {
+                Some(format!("{name}: {}", state.scrubs.last_error))
+            }
+            Some(_) => self.is_unreadable().then(|| format!("{name}: {UNREADABLE}")),
         }
+    }
+
+    /// Whether its daemon serves something, and no newcomer finds it.
+    fn is_unreadable(&self) -> bool {
+        let is_served = self.state.as_ref().is_some_and(|state| state.served.is_some());
+        is_served && self.generation.is_none()
     }
 }
 
@@ -122,7 +134,7 @@ pub(crate) struct StatusCommand {
     /// Print JSON: also sources, counts, memory, staged generation, result of the last reload
     #[arg(long)]
     json: bool,
-    /// Health check: exit with 1 if no map is served, a daemon does not answer, or a map failed its last self-query
+    /// Health check: exit with 1 if no map is served, a daemon does not answer, a map failed its last self-query or scrub, or new readers cannot find it
     #[arg(long)]
     healthy: bool,
     #[command(flatten)]
@@ -213,6 +225,9 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
             }
             continue;
         };
+        if map.is_unreadable() {
+            writeln!(out, "    {UNREADABLE}")?;
+        }
         if let Some(staged) = &state.staged {
             writeln!(out, "    staged: generation {}, {}", staged.generation, size(staged.bytes))?;
         }

@@ -5,7 +5,7 @@ use crate::report::hex;
 use crate::serve::reserving;
 use mapd_archive::{LAYOUT_ID, verify};
 use mapd_client::AttachError;
-use mapd_transport::{Domain, GenerationInfo, Pinned, Subscription};
+use mapd_transport::{Domain, GenerationInfo, Observer, Pinned, Subscription};
 use std::time::{Duration, Instant};
 
 /// Longest wait for a map.
@@ -32,8 +32,8 @@ pub(crate) enum Proof {
     NotExamined(String),
 }
 
-/// Proves what a map's readers see, through a mapping like theirs: what is said about the generation, its header, its hash
-/// and every row. The serving thread must connect new clients meanwhile.
+/// Proves what a map's readers see, through mappings like theirs: what is said about the generation, its header, its hash
+/// and every row, as subscribers have it; and that observers, who find it by its record, have the same. The serving thread must connect new clients meanwhile.
 pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
     let (mut found, mut named) = (None, None);
     for attempt in 0..ATTEMPTS {
@@ -42,6 +42,17 @@ pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
         }
         let before = served(board, map);
         named = before.as_ref().map(|served| served.generation);
+        // Nothing is created for it, and no other process is needed: what is served is found at once, or not at all.
+        let observed = match Observer::idle(domain, map).wait_newer(0, Instant::now() + WAIT) {
+            Ok(observed) => observed,
+            Err(error) if has_no_room(&error) || named.is_none() => {
+                return Proof::NotExamined(error.to_string());
+            }
+            Err(error) => {
+                let reason = format!("new readers cannot attach: {error}");
+                return Proof::Damaged { generation: named, reason };
+            }
+        };
         let attached =
             reserving(|| Subscription::connect_in_reserve(domain, map, Instant::now() + WAIT));
         let pinned = match attached {
@@ -54,18 +65,22 @@ pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
         };
         let generation = pinned.info().generation;
         let known = [before, served(board, map)].into_iter().flatten();
-        match { known }.find(|served| served.generation == generation) {
+        let same = observed.info().generation == generation;
+        match { known }.find(|served| same && served.generation == generation) {
             Some(published) => {
-                return match compare(&pinned, &published) {
+                return match compare(&pinned, &observed, &published) {
                     Ok(()) => Proof::Sound(generation),
                     Err(reason) => Proof::Damaged { generation: Some(generation), reason },
                 };
             }
-            None => found = Some(generation),
+            None => found = Some((generation, observed.info().generation)),
         }
     }
-    let found = found.unwrap_or_default();
-    let reason = format!("readers see generation {found}, which was never published");
+    let (found, observed) = found.unwrap_or_default();
+    let reason = match found == observed {
+        true => format!("readers see generation {found}, which was never published"),
+        false => format!("subscribers see generation {found}, and observers {observed}"),
+    };
     Proof::Damaged { generation: named, reason }
 }
 
@@ -73,28 +88,40 @@ fn served(board: &Board, map: &str) -> Option<GenerationStatus> {
     board.status().maps.into_iter().find(|state| state.name == map)?.served
 }
 
-/// Whether bytes that were not examined may be sound.
-fn says_nothing(error: &AttachError) -> bool {
+/// Whether there is too little room to look.
+fn has_no_room(error: &AttachError) -> bool {
     matches!(
         error,
         AttachError::NoRoom { .. }
             | AttachError::NoDescriptors { .. }
-            | AttachError::TooManySubscribers { .. }
-            | AttachError::Busy { .. }
-            | AttachError::Stuck { .. }
-            | AttachError::NoDaemon { .. }
-            | AttachError::NoSuchMap { .. }
-            | AttachError::NoGeneration { .. }
+            | AttachError::LockLimit { .. }
     )
 }
 
-fn compare(pinned: &Pinned, published: &GenerationStatus) -> Result<(), String> {
+/// Whether bytes that were not examined may be sound, of a subscriber.
+fn says_nothing(error: &AttachError) -> bool {
+    has_no_room(error)
+        || matches!(
+            error,
+            AttachError::TooManySubscribers { .. }
+                | AttachError::Busy { .. }
+                | AttachError::Stuck { .. }
+                | AttachError::NoDaemon { .. }
+                | AttachError::NoSuchMap { .. }
+                | AttachError::NoGeneration { .. }
+        )
+}
+
+fn compare(pinned: &Pinned, observed: &Pinned, published: &GenerationStatus) -> Result<(), String> {
     let GenerationInfo { length, layout_id, content_hash, input_hash, .. } = pinned.info();
     let said = layout_id.starts_with(&LAYOUT_ID)
         && (*length, hex(content_hash), hex(input_hash))
             == (published.bytes, published.content_hash.clone(), published.input_hash.clone());
     if !said {
         return Err("what is said about the generation is not what was published".to_owned());
+    }
+    if observed.info() != pinned.info() || observed.bytes() != pinned.bytes() {
+        return Err("observers see something else than subscribers".to_owned());
     }
     let archive = verify(pinned.bytes()).map_err(|error| error.to_string())?;
     let header = &archive.header;

@@ -177,7 +177,8 @@ impl MapPorts {
         };
         let overlay_place = overlay.as_ref().map(|file| file.place);
         let laid = SegmentLocation { overlay: overlay_place, ..current.place.clone() };
-        self.record.hold(self.record.prepare(&current.info, &laid)?);
+        let prepared = self.record.prepare(&current.info, &laid)?;
+        self.record.hold(prepared);
         (current.place, current.overlay) = (laid, overlay);
         Ok(())
     }

@@ -17,6 +17,10 @@ enum Step {
     Page,
     /// Makes a page under the name, whatever was there: no daemon does.
     NewPage,
+    /// Where its page has lost the name, makes another that says the same, all of it before it has the name.
+    Mend,
+    /// Closes the page that it has left so: writes there that nothing is served, stores the sequence, wakes who sleeps on it.
+    Leave,
     /// Makes a segment, and its overlay, without their bytes.
     Create,
     /// Makes a segment without its bytes, over which nothing lies.
@@ -58,17 +62,20 @@ struct Order {
     compares: bool,
     /// A reader that may have been left looks which page has the name.
     moves: bool,
+    /// Once, at any moment, somebody removes the page by hand, or puts something else under its name.
+    robbed: bool,
 }
 
 const RIGHT: Order = Order {
     start: &[Sweep, Page],
-    publish: &[Create, Fill, Write, Store, Wake, Drop],
-    publish_bare: &[CreateBare, Fill, Write, Store, Wake, Drop],
-    lay: &[CreateOverlay, Fill, Write, Store, Wake, Drop],
-    lay_nothing: &[CreateNothing, Write, Store, Wake, Drop],
+    publish: &[Create, Fill, Mend, Leave, Write, Store, Wake, Drop],
+    publish_bare: &[CreateBare, Fill, Mend, Leave, Write, Store, Wake, Drop],
+    lay: &[CreateOverlay, Fill, Mend, Leave, Write, Store, Wake, Drop],
+    lay_nothing: &[CreateNothing, Mend, Leave, Write, Store, Wake, Drop],
     close: &[WriteNothing, Store, Wake, Unlink, DropAll],
     compares: true,
     moves: true,
+    robbed: false,
 };
 
 /// What a daemon does in its life, one after the other.
@@ -152,6 +159,10 @@ struct World {
     /// What it is about to say, and its page.
     next: Slot,
     own: usize,
+    /// The page that it has left, and has not closed yet.
+    left: Option<usize>,
+    /// Whether the page has been taken away by hand.
+    robbed: bool,
     /// Lives that were killed, a bit each.
     killed: u8,
     /// Something was published, and neither its daemon nor a successor took it back, nor another daemon of the domain.
@@ -237,6 +248,8 @@ impl Search<'_> {
             step: 0,
             next: None,
             own: 0,
+            left: None,
+            robbed: false,
             killed: 0,
             served: false,
             reader,
@@ -277,6 +290,11 @@ impl Search<'_> {
                 next.served = false;
                 open.push(next);
             }
+            if self.order.robbed && !world.robbed && world.named.is_some() {
+                let mut next = world.clone();
+                (next.named, next.robbed, next.served) = (None, true, false);
+                open.push(next);
+            }
             let asleep = matches!(world.reader.doing, Reading::Asleep(_));
             let all = [Patience::None, Patience::Look, Patience::Silence];
             for patience in if asleep { &all[1..] } else { &all[..1] } {
@@ -297,6 +315,7 @@ impl Search<'_> {
 
     fn succeed(&self, world: &mut World) {
         (world.life, world.work, world.step, world.next) = (world.life + 1, 0, 0, None);
+        world.left = None;
     }
 
     fn daemon(&mut self, world: &mut World, step: Step) {
@@ -329,6 +348,32 @@ impl Search<'_> {
                 world.own = world.pages.len() - 1;
                 world.named = Some(world.own);
             }
+            Mend if world.named != Some(world.own) => {
+                let page = &mut world.pages[world.own];
+                // Its heart does not beat any more.
+                page.of = usize::MAX;
+                // What a killed daemon said is still its word.
+                let (said, sequence, by) = (page.says(), page.sequence + 1, page.by);
+                let mut slots = [None; 2];
+                slots[sequence as usize % 2] = said;
+                world.pages.push(PageState { sequence, slots, by, of: life });
+                world.left = Some(world.own);
+                world.own = world.pages.len() - 1;
+                world.named = Some(world.own);
+                world.served = said.is_some() && by == life;
+            }
+            Mend => {}
+            Leave => {
+                let Some(left) = world.left.take() else { return };
+                let page = &mut world.pages[left];
+                page.sequence += 1;
+                (page.slots[page.sequence as usize % 2], page.by) = (None, life);
+                if let (Reading::Asleep(_), true) =
+                    (world.reader.doing, world.reader.page == Some(left))
+                {
+                    world.reader.doing = Reading::Look;
+                }
+            }
             Create => {
                 let segment = make(world);
                 world.segments |= segment;
@@ -357,7 +402,9 @@ impl Search<'_> {
                 let page = &mut world.pages[world.own];
                 page.sequence += 1;
                 page.by = life;
-                world.served = page.says().is_some();
+                // One that was taken away meanwhile is made anew by the next publication.
+                let is_found = !world.robbed || world.named == Some(world.own);
+                world.served = page.says().is_some() && is_found;
             }
             Wake => {
                 if let (Reading::Asleep(_), Some(page)) = (world.reader.doing, world.reader.page)
@@ -589,6 +636,20 @@ fn other_ways_that_are_right() {
     assert!(with > without, "another daemon changes nothing");
 }
 
+/// Where the page is taken away by hand, readers have the next generation at once, whoever waited where; if the daemon is killed before it has
+/// told them, once they look at the page and its heartbeat.
+#[test]
+fn a_page_that_lost_its_name_is_made_anew() {
+    let robbed = Order { robbed: true, ..RIGHT };
+    let one: [&[Work]; 1] = [&[Work::Publish, Work::Lay, Work::Publish, Work::PublishBare]];
+    let killed: [&[Work]; 2] = [one[0], &[Work::Publish, Work::Lay]];
+    for (lives, expected) in [(&one[..], &[][..]), (&killed, &[Wrong::Late, Wrong::VeryLate])] {
+        let (found, states) = found(robbed, lives, true, None);
+        assert_eq!(found.into_iter().collect::<Vec<_>>(), expected, "{lives:?}");
+        assert!(states > 500, "{states} states are not all of them");
+    }
+}
+
 /// What is wrong, the order, whose lives, and at least what is found.
 type Case = (&'static str, Order, [&'static [Work]; 3], &'static [Wrong]);
 
@@ -596,7 +657,7 @@ type Case = (&'static str, Order, [&'static [Work]; 3], &'static [Wrong]);
 fn wrong_orders_are_found() {
     let publish = |publish| Order { publish, ..RIGHT };
     let close = |close| Order { close, ..RIGHT };
-    let cases: [Case; 16] = [
+    let cases: [Case; 18] = [
         (
             "the segment goes before the sequence is stored",
             publish(&[Create, Fill, Write, Drop, Store, Wake]),
@@ -651,6 +712,26 @@ fn wrong_orders_are_found() {
             "what was served goes before the record is closed",
             close(&[DropAll, WriteNothing, Store, Wake, Unlink]),
             ENDED,
+            &[Wrong::GoneTooEarly, Wrong::NothingServed],
+        ),
+        (
+            "a page that lost its name is left without being closed",
+            Order {
+                robbed: true,
+                publish: &[Create, Fill, Mend, Write, Store, Wake, Drop],
+                ..RIGHT
+            },
+            [&[Work::Publish], &[Work::Publish], &[Work::Publish, Work::Publish]],
+            &[Wrong::VeryLate],
+        ),
+        (
+            "a page is made anew only after what the one before named has gone",
+            Order {
+                robbed: true,
+                publish: &[Create, Fill, Drop, Mend, Leave, Write, Store, Wake],
+                ..RIGHT
+            },
+            KILLED,
             &[Wrong::GoneTooEarly, Wrong::NothingServed],
         ),
         (

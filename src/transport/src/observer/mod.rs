@@ -12,6 +12,7 @@
 //! | who | does, in this order |
 //! |---|---|
 //! | daemon, publishing | writes the slot that does not hold, with sequence + 1; sends; stores sequence + 1; wakes; drops the publisher before, whose segment goes |
+//! | daemon, publishing where the page is damaged or has lost its name | before that: makes a page that says what the old one said, whole before it has the name; closes the old one, as withdrawing |
 //! | daemon, withdrawing | the same with a slot that says that nothing is served; wakes; removes the page |
 //! | reader | sequence; its slot; sequence again, and again if it changed; checksum; opens, fstat, maps; tells by inode and hash that it is that generation |
 //!

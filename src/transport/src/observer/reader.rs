@@ -268,7 +268,8 @@ fn is_left(page: &Page) -> bool {
     age(page).is_none_or(|age| age > SILENCE) || closed()
 }
 
-fn is_named(record: &Record, path: &Path) -> bool {
+/// Whether a record is the one that has the name.
+pub(super) fn is_named(record: &Record, path: &Path) -> bool {
     rustix::fs::lstat(path).is_ok_and(|stat| identity(&stat) == record.identity)
 }
 
@@ -374,7 +375,7 @@ mod tests {
     #[test]
     fn who_sleeps_is_woken() {
         let folder = Folder::new("recordwake");
-        let writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
+        let mut writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
         let path = folder.0.map_file("m", RECORD_SUFFIX);
         for generation in 1..20 {
             let record = open_record(&folder.0, &path, rustix::process::geteuid().as_raw());
@@ -388,7 +389,8 @@ mod tests {
                 });
                 std::thread::sleep(Duration::from_millis(generation % 4));
                 let (info, place) = served(generation);
-                writer.hold(writer.prepare(&info, &place).expect("can be said"));
+                let prepared = writer.prepare(&info, &place).expect("can be said");
+                writer.hold(prepared);
                 sleeper.join().expect("woken");
             });
         }
@@ -405,9 +407,10 @@ mod tests {
         let owner = rustix::process::geteuid().as_raw();
         let open = || open_record(&folder.0, &path, owner).expect("opens");
         let publish = |generation| {
-            let writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
+            let mut writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
             let (info, place) = served(generation);
-            writer.hold(writer.prepare(&info, &place).expect("can be said"));
+            let prepared = writer.prepare(&info, &place).expect("can be said");
+            writer.hold(prepared);
             // A slot that is prepared but not current is not visible to readers.
             let (info, place) = served(generation + 1);
             let _ = writer.prepare(&info, &place).expect("can be said");
@@ -427,17 +430,69 @@ mod tests {
         assert_eq!(published(&folder.0, "m"), None, "its segment is one of another domain");
     }
 
+    /// Whatever becomes of the page, the next publication has one that readers find; who waited on the page before finds it as well. A damaged page
+    /// once kept every newcomer out for as long as its daemon ran, which said that all was well.
+    #[test]
+    fn a_page_that_readers_cannot_use_is_made_anew() {
+        let over = |path: &Path, at: u64, bytes: &[u8]| {
+            use std::os::unix::fs::FileExt;
+            let file = std::fs::File::options().write(true).open(path).expect("opens");
+            file.write_all_at(bytes, at).expect("written");
+        };
+        let cases: [(&str, &dyn Fn(&Path)); 6] = [
+            ("nothing happens", &|_| {}),
+            ("noise at its beginning", &|path| over(path, 0, b"garbage")),
+            ("another sequence", &|path| over(path, 12, &[77])),
+            ("the slot that holds is damaged", &|path| over(path, 24 + 8 * 55 + 16, &[0xff; 9])),
+            ("no name", &|path| std::fs::remove_file(path).expect("removed")),
+            ("another file has the name", &|path| {
+                std::fs::rename(path, path.with_extension("aside")).expect("renamed");
+                std::fs::write(path, "garbage").expect("written");
+            }),
+        ];
+        let owner = rustix::process::geteuid().as_raw();
+        let domain = Domain::new("mapd_").expect("a prefix");
+        for (case, (name, damage)) in cases.into_iter().enumerate() {
+            let folder = Folder::new(&format!("recmend{case}"));
+            let path = folder.0.map_file("m", RECORD_SUFFIX);
+            let mut writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
+            let mut publish = |generation| {
+                let (info, place) = served(generation);
+                let prepared = writer.prepare(&info, &place).expect("can be said");
+                let meanwhile = open_record(&folder.0, &path, owner).expect("opens");
+                let (_, said) = read(&meanwhile, &domain, "m", &path).expect("whole");
+                writer.hold(prepared);
+                said
+            };
+            publish(1);
+            let left = open_record(&folder.0, &path, owner).expect("opens");
+            damage(&path);
+            let (before, place) = served(1);
+            assert_eq!(*publish(2), SlotContent::Served(before, place), "{name}: meanwhile");
+            let new = open_record(&folder.0, &path, owner).expect("opens");
+            let (sequence, said) = read(&new, &domain, "m", &path).expect("whole");
+            let (info, place) = served(2);
+            assert_eq!(*said, SlotContent::Served(info, place), "{name}");
+            assert!(sequence > 1, "{name}: {sequence}");
+            let is_same = new.identity == left.identity;
+            assert_eq!(is_same, case == 0, "{name}");
+            assert!(is_same || is_left(left.page()), "{name}: its readers stay on it");
+            assert!(!is_left(new.page()), "{name}: its heart beats");
+        }
+    }
+
     #[test]
     fn what_a_record_says_is_worked_out_once_for_each_sequence() {
         let folder = Folder::new("recordonce");
-        let writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
+        let mut writer = RecordWriter::open(&folder.0, "m", Share::Private).expect("a record");
         let path = folder.0.map_file("m", RECORD_SUFFIX);
         let owner = rustix::process::geteuid().as_raw();
         let record = open_record(&folder.0, &path, owner).expect("opens");
         let domain = Domain::new("mapd_").expect("a prefix");
         for generation in 1..4 {
             let (info, place) = served(generation);
-            writer.hold(writer.prepare(&info, &place).expect("can be said"));
+            let prepared = writer.prepare(&info, &place).expect("can be said");
+            writer.hold(prepared);
             let [first, second] =
                 [(); 2].map(|()| read(&record, &domain, "m", &path).expect("whole"));
             assert_eq!((first.0, &*first.1), (second.0, &SlotContent::Served(info, place)));

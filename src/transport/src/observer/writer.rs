@@ -1,9 +1,9 @@
 //! The daemon's side of a record.
 
 use super::memory::{Record, Refusal, open_own};
-use super::page::{MAGIC, PAGE_BYTES, Page};
-use super::reader::monotonic_ns;
-use super::slot::{SegmentLocation, SlotContent, encode};
+use super::page::{MAGIC, PAGE_BYTES, Page, Words};
+use super::reader::{is_named, monotonic_ns};
+use super::slot::{SegmentLocation, SlotContent, decode, encode};
 use crate::domain::Domain;
 use crate::limits::TRANSPORT_REVISION;
 use crate::payload::GenerationInfo;
@@ -23,12 +23,18 @@ const MODE: Mode = Mode::RUSR.union(Mode::WUSR);
 pub struct RecordWriter {
     record: Record,
     path: PathBuf,
+    share: Share,
+    /// What the page says, and under which sequence.
+    said: (u32, SlotContent),
 }
 
 /// What will be said once the generation is sent.
 #[must_use = "says nothing before it holds"]
 #[derive(Debug)]
-pub struct Prepared(u32);
+pub struct Prepared {
+    sequence: u32,
+    said: SlotContent,
+}
 
 impl RecordWriter {
     /// Goes on with the record that a killed daemon left, else makes a new one, whose page is there for good: writing it never fails.
@@ -41,29 +47,33 @@ impl RecordWriter {
             Ok(record) if is_ours(record.page()) => record,
             // None, one of another release, or one that is damaged: a reader that waits on it finds by the name that another has taken its place.
             _ => {
-                create(&path, share)?;
+                create(&path, share, None)?;
                 open_own(&path, us, share).map_err(as_io)?
             }
         };
-        let writer = Self { record, path };
+        let said = says(record.page()).unwrap_or((0, SlotContent::Nothing));
+        let writer = Self { record, path, share, said };
         writer.beat();
         Ok(writer)
     }
 
-    /// Writes what is to be served without making it visible to readers.
+    /// Writes what is to be served without making it visible to readers. A page that is damaged, or has lost its name, is made anew first.
     ///
-    /// Errors: what cannot be said: a segment's name that is too long, or not plain.
-    pub fn prepare(&self, info: &GenerationInfo, place: &SegmentLocation) -> io::Result<Prepared> {
-        self.write(&SlotContent::Served(*info, place.clone()))
+    /// Errors: what cannot be said: a segment's name that is too long, or not plain; no page can be made.
+    pub fn prepare(
+        &mut self,
+        info: &GenerationInfo,
+        place: &SegmentLocation,
+    ) -> io::Result<Prepared> {
+        self.mend()?;
+        self.write(SlotContent::Served(*info, place.clone()))
     }
 
     /// Has what was prepared hold, and wakes those who wait. Call it between sending the generation and dropping the publisher before.
-    pub fn hold(&self, prepared: Prepared) {
-        let page = self.page();
-        page.hold(prepared.0);
+    pub fn hold(&mut self, prepared: Prepared) {
+        hold(self.page(), prepared.sequence);
+        self.said = (prepared.sequence, prepared.said);
         self.beat();
-        // Fails for no word that is mapped; a reader that is not woken looks by itself.
-        let _ = futex::wake(&page.sequence, futex::Flags::empty(), i32::MAX as u32);
     }
 
     /// Says that the daemon lives.
@@ -74,19 +84,37 @@ impl RecordWriter {
     /// Says that nothing is served any more, wakes those who wait, and removes the record.
     ///
     /// Errors: what the system says; by then readers know.
-    pub fn close(self) -> io::Result<()> {
-        let prepared = self.write(&SlotContent::Nothing)?;
+    pub fn close(mut self) -> io::Result<()> {
+        let prepared = self.write(SlotContent::Nothing)?;
         self.hold(prepared);
         remove_text(&self.path)
     }
 
-    fn write(&self, said: &SlotContent) -> io::Result<Prepared> {
+    fn write(&self, said: SlotContent) -> io::Result<Prepared> {
+        let sequence = write(self.page(), &said)?;
+        Ok(Prepared { sequence, said })
+    }
+
+    /// Where readers would not find in the folder what this page was last made to say, makes another that says it, whole before it has the name.
+    /// Then the page before is closed, so that who waits on it goes on to the one that has the name.
+    fn mend(&mut self) -> io::Result<()> {
         let page = self.page();
-        let next = Page::next(page.sequence.load(Ordering::Relaxed));
-        let words =
-            encode(next, said).map_err(|why| io::Error::new(io::ErrorKind::InvalidInput, why))?;
-        page.write(next, &words);
-        Ok(Prepared(next))
+        if is_ours(page)
+            && says(page).as_ref() == Some(&self.said)
+            && is_named(&self.record, &self.path)
+        {
+            return Ok(());
+        }
+        // What readers have seen of the page before, they have seen under another sequence.
+        let sequence = Page::next(self.said.0);
+        create(&self.path, self.share, Some((sequence, &words(sequence, &self.said.1)?)))?;
+        let us = rustix::process::geteuid().as_raw();
+        let new = open_own(&self.path, us, self.share).map_err(as_io)?;
+        let left = std::mem::replace(&mut self.record, new);
+        self.said.0 = sequence;
+        self.beat();
+        hold(left.page(), write(left.page(), &SlotContent::Nothing)?);
+        Ok(())
     }
 
     fn page(&self) -> &Page {
@@ -103,13 +131,37 @@ fn as_io(refusal: Refusal) -> io::Error {
     }
 }
 
+/// What a page says, and its sequence; none if the slot that holds is damaged. Nobody else writes it meanwhile.
+fn says(page: &Page) -> Option<(u32, SlotContent)> {
+    let (sequence, words) = page.read()?;
+    Some((sequence, decode(sequence, &words, "").ok()?))
+}
+
+fn words(sequence: u32, said: &SlotContent) -> io::Result<Words> {
+    encode(sequence, said).map_err(|why| io::Error::new(io::ErrorKind::InvalidInput, why))
+}
+
+/// Writes the slot that does not hold; the sequence under which it will.
+fn write(page: &Page, said: &SlotContent) -> io::Result<u32> {
+    let next = Page::next(page.sequence.load(Ordering::Relaxed));
+    page.write(next, &words(next, said)?);
+    Ok(next)
+}
+
+/// Has a slot hold, and wakes those who wait.
+fn hold(page: &Page, sequence: u32) {
+    page.hold(sequence);
+    // Fails for no word that is mapped; a reader that is not woken looks by itself.
+    let _ = futex::wake(&page.sequence, futex::Flags::empty(), i32::MAX as u32);
+}
+
 fn is_ours(page: &Page) -> bool {
     page.magic.load(Ordering::Relaxed) == MAGIC
         && page.revision.load(Ordering::Relaxed) == TRANSPORT_REVISION
 }
 
-/// Makes a record that says nothing, whole from the moment it has its name.
-fn create(path: &Path, share: Share) -> io::Result<()> {
+/// Makes a record that says this under this sequence, or nothing; whole from the moment it has its name.
+fn create(path: &Path, share: Share, said: Option<(u32, &Words)>) -> io::Result<()> {
     let new = unfinished(path);
     let flags = OFlags::RDWR | OFlags::CREATE | OFlags::TRUNC | OFlags::NOFOLLOW | OFlags::CLOEXEC;
     let file = rustix::fs::open(&new, flags, MODE)?;
@@ -119,6 +171,11 @@ fn create(path: &Path, share: Share) -> io::Result<()> {
         .and_then(|()| {
             let record = open_own(&new, us, share).map_err(as_io)?;
             let page = record.page();
+            if let Some((sequence, words)) = said {
+                page.write(sequence, words);
+                page.hold(sequence);
+                page.heartbeat.store(monotonic_ns(), Ordering::Relaxed);
+            }
             page.revision.store(TRANSPORT_REVISION, Ordering::Relaxed);
             page.magic.store(MAGIC, Ordering::Release);
             std::fs::rename(&new, path)
