@@ -112,5 +112,5 @@ fn what_is_no_frame_is_wrong_usage() {
     check(&["compile", &town, "-o", &out], 0, "");
     check(&["inspect", &out, "--crs", "utm"], 2, "keeps the frame");
     check(&["query", "shm:town", "nearest", "--crs", "utm"], 2, "keeps the frame");
-    check(&["--load", &out, "--crs", "utm"], 1, "keeps its frame");
+    check(&["--load", &out, "--crs", "utm"], 2, "keeps what it was compiled with");
 }

@@ -1,5 +1,7 @@
 //! Daemon and clients as processes: boot, reloads, events, kills, oversight, trust.
 
+// Archives that a daemon is given: what it is told besides holds or is refused, and what they are without is told.
+mod archives;
 // `mapd doctor`: each trouble is named with what to do about it, and a sound domain has none.
 mod doctor;
 // What a client hears of its map and daemon, and the error of a wait that ends without a map.

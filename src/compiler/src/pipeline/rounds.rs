@@ -125,15 +125,14 @@ fn judge(compilation: &mut Compilation, roads: usize, length: f64, reading: &Rea
         parts.map(|part| part.length).filter(|length| length.is_finite()).sum()
     };
     let (dropped, bare) = (of(Treatment::Dropped), of(Treatment::ReferenceLine));
-    let whole = dropped + length;
-    let share = if whole > 0.0 { (dropped + bare) / whole } else { 0.0 };
     // Of a map that is left without roads, the findings say why.
     if roads == 0 {
         compilation.verdict = Verdict::Rejected;
         compilation.quarantined.clear();
         return;
     }
-    if let Some(message) = reading.policy.exceeded(compilation.quarantined.len(), share) {
+    let parts = compilation.quarantined.len();
+    if let Some(message) = reading.policy.exceeded(parts, dropped, bare, length) {
         let finding = finding(
             &building::QUARANTINE,
             Severity::Error,

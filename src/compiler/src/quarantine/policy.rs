@@ -25,8 +25,11 @@ pub struct Policy {
 }
 
 impl Policy {
-    /// What is wrong with so many parts and such a share; none where they are within the bounds.
-    pub(crate) fn exceeded(&self, parts: usize, share: f64) -> Option<String> {
+    /// What is wrong with so many parts in quarantine, in words; none where they are within the bounds. Lengths are sums `[m]`, at least 0: `dropped` of the roads that are not in the map,
+    /// `bare` of those that are in it as their reference line, `length` of all that are in it, these among them.
+    pub fn exceeded(&self, parts: usize, dropped: f64, bare: f64, length: f64) -> Option<String> {
+        let whole = dropped + length;
+        let share = if whole > 0.0 { (dropped + bare) / whole } else { 0.0 };
         if let Some(max) = self.max_parts.filter(|max| parts > *max) {
             return Some(format!("expected at most {max} parts in quarantine, found {parts}"));
         }

@@ -23,6 +23,9 @@ struct CompileArgs {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct CompileArguments(Vec<OsString>);
 
+/// The value of `--on-error` that shapes an archive.
+const KEEPS_LINE: &str = "reference-line";
+
 fn grammar() -> Command {
     CompileArgs::augment_args(Command::new("options").no_binary_name(true).disable_help_flag(true))
 }
@@ -103,6 +106,19 @@ impl CompileArguments {
         &self.0
     }
 
+    /// The first of these that an archive cannot heed any more, for it shapes how a map is compiled. Bounds on what is in quarantine hold for archives, too.
+    pub(crate) fn shaping(&self) -> Option<&str> {
+        let names = self.0.iter().enumerate().filter_map(|(i, text)| Some((i, text.to_str()?)));
+        let mut names = names.filter(|(_, text)| text.starts_with("--"));
+        let keeps_line = |i: usize| self.0.get(i + 1).is_some_and(|value| value == KEEPS_LINE);
+        let shapes = |(i, name): &(usize, &str)| match *name {
+            "--max-quarantined" | "--max-quarantined-share" => false,
+            "--on-error" => keeps_line(*i),
+            _ => true,
+        };
+        names.find(shapes).map(|(_, name)| name)
+    }
+
     /// What they mean now: files that they name are read.
     ///
     /// Errors: a file cannot be read, or has something in it that makes no sense; a value out of range.
@@ -137,6 +153,32 @@ mod tests {
         };
         assert!(wrong("landmark", "3").expect_err("unknown").contains("landmarks"));
         assert!(wrong("landmarks", "99").expect_err("too many").contains("99"));
+    }
+
+    #[test]
+    fn what_shapes_an_archive_comes_too_late_for_one() {
+        let heeded = [
+            ("max_quarantined", "0"),
+            ("max_quarantined_share", "0.5"),
+            ("on_error", "reject"),
+            ("on_error", "quarantine"),
+        ];
+        assert_eq!(arguments(&heeded).shaping(), None);
+        for (name, value) in [
+            ("on_error", "reference-line"),
+            ("profile", "strict"),
+            ("rules", "r.toml"),
+            ("without", "user-data"),
+            ("landmarks", "3"),
+            ("crs", "utm"),
+            ("remove", "road:1"),
+            ("patch", "p.xodr"),
+            ("ontology", "o.toml"),
+        ] {
+            let all = arguments(&[("max_quarantined", "1"), (name, value)]);
+            let long = format!("--{}", name.replace('_', "-"));
+            assert_eq!(all.shaping(), Some(&*long), "{value}");
+        }
     }
 
     #[test]

@@ -231,6 +231,14 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
         if let Some(staged) = &state.staged {
             writeln!(out, "    staged: generation {}, {}", staged.generation, size(staged.bytes))?;
         }
+        let left_out = state.served.as_ref().map_or(0, |served| served.counts.quarantined);
+        if left_out > 0 {
+            writeln!(
+                out,
+                "    in quarantine: {left_out} parts, which `mapd inspect shm:{}` lists",
+                map.name
+            )?;
+        }
         if state.overlay.entries > 0 {
             let OverlayStatus { revision, entries, unplaced, in_part } = state.overlay;
             write!(out, "    overlay: revision {revision}, {entries} entries")?;

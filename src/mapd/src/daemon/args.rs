@@ -12,6 +12,7 @@ use crate::args::ThreadsArg;
 use crate::args::{ShareWith, Size};
 use crate::cache::{self, Cache};
 use crate::exit::{UsageError, explained};
+use crate::source;
 use anyhow::{Context, Result, bail};
 use clap::Args;
 use mapd_client::{Domain, TrustedKey};
@@ -169,6 +170,15 @@ impl DaemonArgs {
         for map in &maps {
             let place = |error| UsageError(format!("{}: {error}", map.source.display()));
             check_name(&map.name, &mut names).map_err(place)?;
+            if source::is_archive(&map.source)
+                && let Some(option) = map.options.shaping()
+            {
+                bail!(UsageError(format!(
+                    "map {}: {option} holds when a map is compiled; {} keeps what it was compiled with",
+                    map.name,
+                    map.source.display()
+                )));
+            }
             // What makes no sense is wrong usage now, and not a reload that fails later.
             let wrong = |error: anyhow::Error| UsageError(format!("map {}: {error:#}", map.name));
             map.options.parse().map_err(wrong)?;

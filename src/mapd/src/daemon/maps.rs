@@ -2,6 +2,7 @@
 
 use super::ByName;
 use super::desk::{CHANGED, read_file};
+use super::left_out;
 use super::overlays::{Next, Overlays};
 use super::prepare::{Prepared, Preparer};
 use super::settings::MapSettings;
@@ -211,6 +212,13 @@ impl Maps {
             let proved = verify(loan)?;
             if proved.header != archive.header {
                 return Err(CHANGED.into());
+            }
+            if let Some(policy) = &archive.policy {
+                left_out::judge(&proved, policy)?;
+            }
+            // Where it was compiled just now, the compiler has told.
+            if archive.from_cache || archive.policy.is_some() {
+                left_out::tell(map, &proved);
             }
             // It is served all the same: its tables may be of use to clients of other releases.
             for unknown in mapd_archive::unknown(loan)? {

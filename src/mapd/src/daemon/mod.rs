@@ -17,6 +17,7 @@ mod child;
 mod config;
 mod desk;
 mod kept;
+mod left_out;
 mod log;
 mod maps;
 mod orders;

@@ -8,6 +8,7 @@ use crate::source;
 use crate::trust::signable;
 use mapd_archive::{HEADER_LENGTH, Header};
 use mapd_client::{Domain, TrustError, TrustedKey, read_signature, signature_path};
+use mapd_compiler::Policy;
 use mapd_transport::open_regular;
 use std::fs::File;
 use std::io;
@@ -31,6 +32,8 @@ pub(crate) struct Prepared {
     pub(crate) files: Vec<PathBuf>,
     /// Its signature, read when the archive was opened; only where a key is trusted.
     pub(crate) signature: Option<String>,
+    /// What may be in quarantine; none where the compiler has judged by the map's own options.
+    pub(crate) policy: Option<Policy>,
 }
 
 impl Prepared {
@@ -94,11 +97,7 @@ impl Preparer {
 
     fn open_archive(&self, map: &MapSettings) -> Result<Prepared, Refusal> {
         let failed = |error| Refusal::Failed(format!("{}: {error}", map.source.display()));
-        let (_, options) = map.options.parse().map_err(|error| failed(format!("{error:#}")))?;
-        if options.crs.is_some() {
-            let message = "--crs transforms OpenDRIVE files only; the archive keeps its frame";
-            return Err(failed(message.to_owned()));
-        }
+        let (reading, _) = map.options.parse().map_err(|error| failed(format!("{error:#}")))?;
         let file = open_regular(&map.source).map_err(|error| failed(error.to_string()))?;
         let metadata = file.metadata().map_err(|error| failed(error.to_string()))?;
         let header = read_header(&file).map_err(|error| match error.kind() {
@@ -131,6 +130,7 @@ impl Preparer {
             is_on_disk: true,
             files,
             signature,
+            policy: Some(reading.policy),
         })
     }
 
@@ -167,6 +167,7 @@ impl Preparer {
             is_on_disk: true,
             files,
             signature: None,
+            policy: None,
         }))
     }
 
@@ -185,6 +186,7 @@ impl Preparer {
             is_on_disk: true,
             files: vec![absolute(&map.source)],
             signature: None,
+            policy: None,
         })
     }
 
@@ -249,6 +251,7 @@ impl Preparer {
             is_on_disk,
             files,
             signature: None,
+            policy: None,
         })
     }
 
