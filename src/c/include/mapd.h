@@ -4407,6 +4407,7 @@ void mapd_scratch_close(struct mapd_scratch **scratch);
 /*
  Connects to the map of this name, whichever side starts first, and pins its newest generation. Waits at most `wait_s` [s];
  infinity waits without a limit. `prefix` names the domain; null: the one of the environment variable MAPD_PREFIX, else the default one.
+ `MAPD_OWNER` names the user whose daemon is trusted, whatever the prefix; without it, this process's own.
  Close the client with `mapd_client_close`.
 
  Errors: the codes of attaching, what was missing when the wait ended; `MAPD_CODE_NAME`; `MAPD_CODE_NOT_AN_ARCHIVE`.

@@ -357,7 +357,7 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   using Owner::Owner;
 
   /// Connects to the map of this name, whichever side starts first; waits at most `wait_s` [s]. Without a prefix: the one of MAPD_PREFIX, else the
-  /// default one.
+  /// default one. MAPD_OWNER names the user whose daemon is trusted, whatever the prefix.
   static Result<Client> try_connect(const std::string& map, double wait_s, const char* prefix = nullptr) {
     return detail::handle<Client>(
         [&](auto... out) { return mapd_client_connect(map.c_str(), prefix, wait_s, out...); });

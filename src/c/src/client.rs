@@ -39,6 +39,7 @@ unsafe fn client<'a>(client: *const mapd_client) -> Result<&'a Client, Failure> 
 
 /// Connects to the map of this name, whichever side starts first, and pins its newest generation. Waits at most `wait_s` \[s\];
 /// infinity waits without a limit. `prefix` names the domain; null: the one of the environment variable MAPD_PREFIX, else the default one.
+/// `MAPD_OWNER` names the user whose daemon is trusted, whatever the prefix; without it, this process's own.
 /// Close the client with `mapd_client_close`.
 ///
 /// Errors: the codes of attaching, what was missing when the wait ended; `MAPD_CODE_NAME`; `MAPD_CODE_NOT_AN_ARCHIVE`.
@@ -55,7 +56,7 @@ pub unsafe extern "C" fn mapd_client_connect(
             get(out, "the handle")?;
             let (map, wait) = (given(map, "the map's name")?, wait(wait_s)?);
             let named = given_or_null(prefix, "the prefix")?;
-            let domain = named.map_or_else(Domain::from_env, Domain::new);
+            let domain = Domain::from_env_or(named);
             let domain = domain.map_err(|e| ClientError::from(AttachError::from(e)))?;
             hand_out(out, mapd_client(Arc::new(Client::connect_in(&domain, map, wait)?)))
         })

@@ -42,7 +42,7 @@ pub unsafe extern "C" fn mapd_propose(
             get(out, "the decision")?;
             let (map, wait) = (given(map, "the map's name")?, crate::client::wait(wait_s)?);
             let named = given_or_null(prefix, "the prefix")?;
-            let domain = named.map_or_else(Domain::from_env, Domain::new);
+            let domain = Domain::from_env_or(named);
             let domain = domain.map_err(|e| ClientError::from(AttachError::from(e)))?;
             let proposer = Proposer::new(&domain, map, given(source, "the source")?);
             let decision = match proposer.propose(given(entry, "the entry")?, wait)? {

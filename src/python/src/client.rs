@@ -100,7 +100,8 @@ fn connect(
 /// A connection to one served map. Threads may share it; a forked process connects again.
 ///
 /// Connects in the domain of `prefix` (else of the environment variable MAPD_PREFIX) and pins the newest generation. Daemon and client may
-/// start in any order; `timeout` is in seconds, `math.inf` for as long as it takes. `with` closes it.
+/// start in any order; `timeout` is in seconds, `math.inf` for as long as it takes. `with` closes it. The environment variable MAPD_OWNER names the
+/// user whose daemon is trusted, whatever the prefix.
 #[pyclass(frozen, module = "mapd")]
 pub(crate) struct Client {
     name: String,
@@ -127,10 +128,7 @@ impl Client {
     #[pyo3(signature = (name, *, timeout = 5.0, prefix = None))]
     fn new(py: Python<'_>, name: String, timeout: f64, prefix: Option<&str>) -> PyResult<Self> {
         let deadline = patience(timeout)?;
-        let domain = match prefix {
-            Some(prefix) => Domain::new(prefix),
-            None => Domain::from_env(),
-        };
+        let domain = Domain::from_env_or(prefix);
         let domain = domain.map_err(|error| client_error(AttachError::from(error).into()))?;
         let client = connect(py, &domain, &name, deadline)?;
         let connection = Connection { client: Some(client), process: std::process::id() };

@@ -28,7 +28,7 @@ pub(crate) fn propose<'py>(
         Ok(text) => text.extract()?,
         Err(_) => py.import("json")?.getattr("dumps")?.call1((entry,))?.extract()?,
     };
-    let domain = prefix.map_or_else(Domain::from_env, Domain::new);
+    let domain = Domain::from_env_or(prefix);
     let domain = domain.map_err(|error| client_error(AttachError::from(error).into()))?;
     let (proposer, wait) = (Proposer::new(&domain, map, source), seconds(timeout)?);
     let decision = py.detach(|| proposer.propose(&entry, wait)).map_err(undecided)?;

@@ -1,6 +1,7 @@
 //! Domains: where daemon and clients meet.
 
 use crate::accounts::user_id;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -74,11 +75,26 @@ impl Domain {
     ///
     /// Errors: prefix or owner cannot be used.
     pub fn from_env() -> Result<Self, DomainError> {
-        let domain = match std::env::var_os(PREFIX_VARIABLE) {
-            Some(prefix) => Self::new(&prefix.to_string_lossy()),
-            None => Self::new(DEFAULT_PREFIX),
+        Self::from_env_or(None)
+    }
+
+    /// As [`Domain::from_env`], with this prefix in place of that of [`PREFIX_VARIABLE`], if there is one. [`OWNER_VARIABLE`] holds for either.
+    ///
+    /// Errors: prefix or owner cannot be used.
+    pub fn from_env_or(prefix: Option<&str>) -> Result<Self, DomainError> {
+        Self::of(prefix, |variable| std::env::var_os(variable))
+    }
+
+    fn of(
+        prefix: Option<&str>,
+        variable: impl Fn(&str) -> Option<OsString>,
+    ) -> Result<Self, DomainError> {
+        let domain = match (prefix, variable(PREFIX_VARIABLE)) {
+            (Some(prefix), _) => Self::new(prefix),
+            (None, Some(prefix)) => Self::new(&prefix.to_string_lossy()),
+            (None, None) => Self::new(DEFAULT_PREFIX),
         }?;
-        match std::env::var_os(OWNER_VARIABLE) {
+        match variable(OWNER_VARIABLE) {
             Some(owner) => domain.owned_by(&owner.to_string_lossy()),
             None => Ok(domain),
         }
@@ -132,6 +148,26 @@ mod tests {
             ["", "_", "mapd", "mapd_x_", "-a_", "a/b_", "a b_", "\u{e4}_", "abcdefghijklmnopqrst_"]
         {
             assert_eq!(Domain::new(bad), Err(DomainError::Prefix { prefix: bad.to_owned() }));
+        }
+    }
+
+    /// Clients for C, C++ and Python that named a prefix trusted their own user, whatever owner the environment named.
+    #[test]
+    fn the_environment_names_the_owner_whoever_names_the_prefix() {
+        let us = rustix::process::geteuid().as_raw();
+        for (prefix, prefix_variable, owner_variable, expected) in [
+            (None, None, None, (DEFAULT_PREFIX, us)),
+            (None, Some("a_"), Some("61003"), ("a_", 61003)),
+            (Some("b_"), None, Some("61003"), ("b_", 61003)),
+            (Some("b_"), Some("a_"), Some("61003"), ("b_", 61003)),
+            (Some("b_"), Some("a_"), None, ("b_", us)),
+        ] {
+            let variable = |name: &str| match name {
+                PREFIX_VARIABLE => prefix_variable.map(OsString::from),
+                _ => owner_variable.map(OsString::from),
+            };
+            let domain = Domain::of(prefix, variable).expect("a domain");
+            assert_eq!((domain.prefix(), domain.owner()), expected, "{prefix:?}");
         }
     }
 }

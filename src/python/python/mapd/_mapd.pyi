@@ -191,7 +191,8 @@ class Client:
     """A connection to one served map. Threads may share it; a forked process connects again.
 
     Connects in the domain of `prefix` (else of the environment variable MAPD_PREFIX) and pins the newest generation. Daemon and client may
-    start in any order; `timeout` is in seconds, `math.inf` for as long as it takes. `with` closes it.
+    start in any order; `timeout` is in seconds, `math.inf` for as long as it takes. `with` closes it. The environment variable MAPD_OWNER names the
+    user whose daemon is trusted, whatever the prefix.
     """
 
     def __new__(cls, name: str, *, timeout: float = 5.0, prefix: str | None = None) -> Client: ...
