@@ -110,7 +110,8 @@ pub(crate) fn start(domain: &Domain, from: From, what: &str) -> Result<Taken> {
     };
     let start = Instant::now();
     let mut child = Command::new(program)
-        .args([SUBCOMMAND, "--prefix", domain.prefix(), from, what])
+        .args([SUBCOMMAND, "--prefix", domain.prefix()])
+        .args(["--owner", &domain.owner().to_string(), from, what])
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
