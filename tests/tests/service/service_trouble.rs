@@ -329,3 +329,21 @@ fn wrong_usage_is_told_from_a_failing_environment() {
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(output.status.code() == Some(1) && !said.contains("serving"), "{said}");
 }
+
+/// A generation was said to be staged whose record could not be written, so that no client saw it as pending.
+#[test]
+fn what_clients_cannot_see_is_not_staged() {
+    let (place, maps) = (TestDomain::new(MAPD), TwoMaps::new());
+    let daemon = place.serve(&[&maps.path().display().to_string()]);
+    let stage = || place.change("map", &Request::Reload { map: "map".to_owned(), stage: true });
+    let in_the_way = place.domain().root().join("map.staged.new");
+    std::fs::create_dir(&in_the_way).expect("made");
+    maps.put(1);
+    let report = stage();
+    assert_eq!(report.result, ReloadResult::Failed, "{}", report.reason);
+    assert_eq!(place.state("map").staged, None);
+    std::fs::remove_dir(&in_the_way).expect("removed");
+    assert_eq!(stage().result, ReloadResult::Staged);
+    assert!(place.state("map").staged.is_some());
+    assert_eq!(daemon.stop(), 0);
+}

@@ -107,10 +107,14 @@ impl Server {
         };
         let info = *staged.info();
         self.staged.insert(map.to_owned(), staged);
-        self.tell_if_failed(
-            "writing the record",
-            write_staged(&self.domain, map, &info, self.share),
-        );
+        // What clients cannot see is not pending.
+        if let Err(error) = write_staged(&self.domain, map, &info, self.share) {
+            self.give_up_staged(map);
+            if !known {
+                self.withdraw(map);
+            }
+            return Err(ServeError::io(self.domain.root())(error));
+        }
         Ok(info.generation)
     }
 
@@ -238,8 +242,8 @@ impl Server {
             let generation = self.generations.next(&self.domain, map, &notify)?;
             Ok(info(generation, length, &meta))
         })?;
-        // Nothing has been written through it meanwhile, and nothing will be.
-        self.tell_if_failed("making the data segment read-only", segment.protect(self.share));
+        // Nothing has been written through it meanwhile, and nothing will be. It gives the group its right to read, too.
+        segment.protect(self.share).map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
         // Without it, the readers of the generation cannot be counted later.
         Ok(FilledSegment { sample, place, locked, kept: segment.keep().ok() })
     }
