@@ -63,7 +63,11 @@ fn its_commands_check_the_map_and_are_ready_once_it_answers() {
     let (map, bad) = (mapd_tests::carried("town.xodr"), format!("{cache}/bad.xodr"));
     std::fs::write(&bad, "<OpenDRIVE>").expect("written");
     let map = map.display().to_string();
-    for (file, accepted) in [(&map, true), (&bad, false)] {
+    // An archive was refused: there is nothing to check in it that the daemon does not verify.
+    let archive = format!("{cache}/town.mapd");
+    let compiled = place.command().args(["compile", &map, "-o", &archive]).status();
+    assert!(compiled.is_ok_and(|status| status.success()));
+    for (file, accepted) in [(&map, true), (&bad, false), (&archive, true)] {
         let line = command("ExecStartPre", file, &cache).replace("$$", "$");
         let mut check = place.command_of("sh");
         let output = check.args(["-c", &line]).env("MAP", file).output().expect("runs");
