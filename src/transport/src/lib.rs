@@ -80,7 +80,7 @@ pub use observer::{
 };
 pub use payload::{Chunk64, GenerationInfo, chunks_for};
 pub use pinned::Pinned;
-pub use presence::Presence;
+pub use presence::{Presence, Sharing};
 pub use proposals::{LONGEST_PROPOSAL, proposals_socket};
 pub use record::{
     GENERATION_SUFFIX, LARGEST_GENERATION, RECORD_SUFFIX, hex, parse_generation, pending,

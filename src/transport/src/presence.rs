@@ -47,3 +47,36 @@ impl Presence {
         file.is_ok_and(|file| file.try_lock().is_ok())
     }
 }
+
+/// Name in the root folder.
+const SHARING: &str = ".sharing";
+
+/// Held by every daemon that shares the domain with its group, until it ends: the root folder is open to the group as long as there is one. A shared `flock`; entered
+/// and examined under the attach lock.
+#[derive(Debug)]
+pub struct Sharing {
+    /// Unlocked when closed.
+    _file: File,
+}
+
+impl Sharing {
+    /// Says that this daemon shares.
+    ///
+    /// Errors: the system's; would-block only while another process tests, without the attach lock, whether anybody shares.
+    pub fn enter(domain: &Domain) -> io::Result<Self> {
+        let path = domain.root().join(SHARING);
+        let mut options = OpenOptions::new();
+        let file = options.read(true).write(true).create(true).truncate(false).mode(0o600);
+        let file = file.open(path)?;
+        file.try_lock_shared()?;
+        Ok(Self { _file: file })
+    }
+
+    /// Whether no daemon shares the domain.
+    pub fn is_over(domain: &Domain) -> bool {
+        match File::open(domain.root().join(SHARING)) {
+            Ok(file) => file.try_lock().is_ok(),
+            Err(error) => error.kind() == io::ErrorKind::NotFound,
+        }
+    }
+}

@@ -105,6 +105,72 @@ fn what_is_private_stays_so() {
     }
 }
 
+/// The folder stayed open to the group of a daemon that had ended beside a private one, and no other group could be shared with.
+#[test]
+fn the_folder_is_closed_with_the_last_daemon_that_shares() {
+    let place = TestDomain::new(MAPD);
+    let root = place.domain().root().to_owned();
+    let found = || {
+        let folder = root.metadata().expect("there");
+        (folder.permissions().mode() & 0o777, folder.gid())
+    };
+    let town = town();
+    let start = |name: &str, group: u32| {
+        share(&place, Path::new(&town), &format!("--name {name} --share group:{group}"))
+    };
+    let private = share(&place, Path::new(&town), "");
+    assert_eq!(found().0, 0o700);
+    let (first, second) = (start("a", GROUP), start("b", GROUP));
+    assert_eq!(found(), (0o750, GROUP));
+    let other = format!("group:{}", GROUP + 1);
+    let refused = ["--load", &town, "--name", "c", "--share", &other];
+    let refused = place.command().args(refused).output().expect("runs");
+    let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(!refused.status.success() && told.contains("shared with group"), "{told}");
+    assert_eq!(first.stop(), 0);
+    assert_eq!(found(), (0o750, GROUP), "another shares");
+    assert_eq!(second.stop(), 0);
+    assert_eq!(found().0, 0o700);
+    // One that is killed leaves it open; the next one is not kept from anything.
+    start("d", GROUP).kill();
+    let third = start("e", GROUP + 1);
+    assert_eq!(found(), (0o750, GROUP + 1));
+    assert_eq!(third.stop(), 0);
+    assert_eq!(found().0, 0o700);
+    assert_eq!(private.stop(), 0);
+    assert!(!root.exists());
+}
+
+/// What a member of the group is told where it may not do something, and what it cannot see.
+#[test]
+fn a_member_is_told_the_truth() {
+    let place = TestDomain::new(MAPD);
+    let member = GROUP.to_string();
+    if command(&place, &member, MAPD).is_none() {
+        return;
+    }
+    let daemon = share(&place, Path::new(&town()), &group());
+    let us = us();
+    let run = |args: &[&str]| {
+        let mut command = command(&place, &member, MAPD).expect("as before");
+        let output = command.args(args).args(["--owner", &us]).output().expect("runs");
+        let told =
+            [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+        (output.status.code(), told.concat())
+    };
+    for (args, code, words) in [
+        (&["inspect", "shm:town", "--attach", "subscriber"][..], 1, "attach as an observer"),
+        (&["reload", "town"], 1, "who runs its daemon, may ask it"),
+        (&["status", "--json"], 0, "\"subscribers\": null"),
+        (&["bench", "shm:town", "--clients", "2", "--queries", "10", "--routes", "1"], 0, "attach"),
+    ] {
+        let (found, told) = run(args);
+        assert_eq!(found, Some(code), "{args:?}: {told}");
+        assert!(told.contains(words), "{args:?}: {told}");
+    }
+    assert_eq!(daemon.stop(), 0);
+}
+
 /// Whatever a member tries: it changes nothing, and generations go on.
 #[test]
 fn a_hostile_member_holds_and_delays_and_no_more() {
@@ -188,6 +254,7 @@ fn a_daemon_serves_as_itself() {
         .output()
         .expect("runs");
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(!output.status.success() && told.contains("trusted is user 61001"), "{told}");
+    assert!(!output.status.success() && told.contains("names user 61001"), "{told}");
+    assert!(!told.contains("belongs to"), "nothing is there: {told}");
     assert!(!Domain::root(&place.domain()).exists());
 }

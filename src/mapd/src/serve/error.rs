@@ -16,6 +16,16 @@ pub enum ServeError {
     /// Another daemon serves a map of this name.
     #[error(transparent)]
     Claim(#[from] ClaimError),
+    /// A daemon serves as its own user, and another one was named.
+    #[error(
+        "a daemon serves as its own user, which is {us}; --owner or MAPD_OWNER names user {named}: leave it out, or run the daemon as that user"
+    )]
+    NotItsOwner {
+        /// Id of this process's user.
+        us: u32,
+        /// Id of the user that was named.
+        named: u32,
+    },
     /// The daemon's user cannot give files to the group it is to share with.
     #[error(
         "sharing with group {group}: this user is not in it; add the user to the group, or name one it is in (--share group:NAME)"

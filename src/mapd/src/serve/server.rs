@@ -17,7 +17,7 @@ use super::sharing::check_owner_is_us;
 use super::stop::StopSignal;
 use iceoryx2::prelude::{Node, NodeBuilder, NodeName, SignalHandlingMode};
 use mapd_transport::{
-    AttachGuard, AttachLock, Claim, DAEMON_NODE, Domain, GenerationInfo, Presence, Share,
+    AttachGuard, AttachLock, Claim, DAEMON_NODE, Domain, GenerationInfo, Presence, Share, Sharing,
     TransportService, check_map_name, check_owner, iceoryx2_config, remove_staged,
     silence_iceoryx2, unfinished_segments,
 };
@@ -72,8 +72,7 @@ pub struct Server {
     pub(super) generations: Generations,
     pub(super) lock_memory: bool,
     pub(super) share: Share,
-    /// Whether it found the domain deserted.
-    pub(super) alone: bool,
+    pub(super) sharing: Option<Sharing>,
     pub(super) segment_type: SegmentType,
     patience: Cell<Duration>,
     next_round: Instant,
@@ -125,7 +124,7 @@ impl Server {
             generations: Generations::default(),
             lock_memory: false,
             share: Share::default(),
-            alone,
+            sharing: None,
             segment_type: SegmentType::default(),
             patience: Cell::new(LOCK_PATIENCE),
             next_round: Instant::now(),
@@ -335,6 +334,7 @@ impl Drop for Server {
             self.tell_if_failed("removing the record", ports.close());
         }
         drop(self.node.take());
+        self.end_sharing(exclusive.as_ref());
         drop(self.presence.take());
         if let Some(guard) = &exclusive
             && Presence::is_deserted(&self.domain)
