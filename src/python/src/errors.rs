@@ -108,6 +108,7 @@ fn attach_class(error: &AttachError) -> &'static str {
         | AttachError::LockLimit { .. }
         | AttachError::NoDescriptors { .. } => "ExhaustedError",
         AttachError::PermissionDenied { .. }
+        | AttachError::OnlyObservers { .. }
         | AttachError::UnknownOwner { .. }
         | AttachError::NotShared { .. } => "NotPermittedError",
         AttachError::Stuck { .. } | AttachError::Busy { .. } => "BusyError",

@@ -101,6 +101,17 @@ pub enum AttachError {
         /// User id of the trusted user: this process's own unless another one was named.
         trusted: u32,
     },
+    /// The daemon is another user's, which was named as the owner: subscribers write, and so must be its user's own.
+    #[error(
+        "{} belongs to user {owner}, who alone may subscribe; attach as an observer, which is the default, or run as that user",
+        path.display()
+    )]
+    OnlyObservers {
+        /// The root folder.
+        path: PathBuf,
+        /// User id of its owner.
+        owner: u32,
+    },
     /// The files belong to a user that is not mapped into this user namespace.
     #[error(
         "{} belongs to a user that has no id in this user namespace, so that it may be anybody's; map the daemon's user into it, or hand over a signed file",
@@ -207,6 +218,7 @@ impl AttachError {
                 | Self::MapName { .. }
                 | Self::WrongTransport { .. }
                 | Self::PermissionDenied { .. }
+                | Self::OnlyObservers { .. }
                 | Self::UnknownOwner { .. }
                 | Self::LockLimit { .. }
                 | Self::TooManyPinned { .. }

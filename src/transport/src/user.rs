@@ -46,9 +46,14 @@ pub(super) fn check_owned_by(domain: &Domain, owner: u32) -> Result<(), AttachEr
 
 /// Checks that the domain is this process's own user's: to write in it, as daemons and subscribers do.
 ///
-/// Errors: as [`check_owner`].
+/// Errors: as [`check_owner`]; [`AttachError::OnlyObservers`] for a folder of another user that the domain names as its owner.
 pub fn check_own(domain: &Domain) -> Result<(), AttachError> {
-    check_owned_by(domain, rustix::process::geteuid().as_raw())
+    match check_owned_by(domain, rustix::process::geteuid().as_raw()) {
+        Err(AttachError::PermissionDenied { path, owner, .. }) if owner == domain.owner() => {
+            Err(AttachError::OnlyObservers { path, owner })
+        }
+        other => other,
+    }
 }
 
 /// The error for what belongs to user `found`.

@@ -67,7 +67,7 @@ class Live {
     const answer = await fetch(`status/${number}`).catch(() => null), status = answer?.ok && await answer.json();
     if (number !== this.number) return;
     const { alive, pid, subscribers } = status || {}, isLive = answer?.ok && this.viewer.map.generation;
-    const said = alive ? `daemon ${pid} · ${subscribers} ${subscribers === 1 ? "subscriber" : "subscribers"}` : "no daemon";
+    const said = alive ? `daemon ${pid}` + (subscribers === null ? "" : ` · ${subscribers} ${subscribers === 1 ? "subscriber" : "subscribers"}`) : "no daemon";
     $("clients").textContent = isLive ? said : "";
   }
 

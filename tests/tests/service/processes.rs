@@ -242,3 +242,25 @@ fn threads_share_a_snapshot() {
         }
     });
 }
+
+/// Clients of a killed daemon answer as if it lived, and no command told that it does not.
+#[test]
+fn status_tells_when_a_daemon_was_last_heard_of() {
+    let place = place();
+    let daemon = place.serve(&[&town()]);
+    let status = |args: &[&str]| {
+        let output = place.command().arg("status").args(args).output().expect("ends");
+        String::from_utf8_lossy(&output.stdout).into_owned()
+    };
+    let heard = || {
+        let status: serde_json::Value = serde_json::from_str(&status(&["--json"])).expect("JSON");
+        status[0]["heard_seconds"].as_f64().expect("a time")
+    };
+    assert!(heard() < PATIENCE.as_secs_f64());
+    assert!(!status(&[]).contains("last heard of"));
+    daemon.kill();
+    let killed = heard();
+    let text = status(&[]);
+    assert!(text.contains("its daemon was killed, and last heard of"), "{text}");
+    assert!(heard() > killed);
+}

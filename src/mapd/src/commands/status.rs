@@ -9,7 +9,7 @@ use crate::rounded;
 use anyhow::Result;
 use clap::Args;
 use mapd_client::Domain;
-use mapd_transport::{MapStatus, count_subscriptions, list_maps};
+use mapd_transport::{MapStatus, count_subscriptions, heartbeat_age, list_maps};
 use serde::Serialize;
 use std::io::Write;
 use std::time::Duration;
@@ -34,7 +34,10 @@ struct Status {
     layout_id: Option<String>,
     content_hash: Option<String>,
     input_hash: Option<String>,
-    subscribers: usize,
+    /// `None` if they cannot be counted.
+    subscribers: Option<usize>,
+    /// How long ago its daemon last said that it lives.
+    heard_seconds: Option<f64>,
     published_unix_ns: Option<u64>,
     /// What its daemon says about it; `None` if it does not answer.
     state: Option<MapState>,
@@ -58,7 +61,8 @@ struct Daemon {
 impl Status {
     fn of(
         map: MapStatus,
-        subscribers: usize,
+        subscribers: Option<usize>,
+        heard: Option<Duration>,
         daemon: Option<&DaemonStatus>,
         may_ask: bool,
     ) -> Self {
@@ -74,6 +78,7 @@ impl Status {
             content_hash: info.map(|i| hex(&i.content_hash)),
             input_hash: info.map(|i| hex(&i.input_hash)),
             subscribers,
+            heard_seconds: heard.map(|age| age.as_secs_f64()),
             published_unix_ns: info.map(|i| i.published_unix_ns),
             state: state.cloned(),
             daemon: daemon.map(|daemon| Daemon {
@@ -176,8 +181,11 @@ fn all(domain: &Domain, maps: Vec<MapStatus>) -> Vec<Status> {
     let of = |map: MapStatus| {
         let its = |daemon: &&DaemonStatus| daemon.maps.iter().any(|m| m.name == map.name);
         let daemon = daemons.iter().find(its);
-        let subscribers = map.info.and_then(|_| count_subscriptions(domain, &map.name));
-        Status::of(map, subscribers.unwrap_or(0), daemon, may_ask)
+        // Before the first generation there is nothing to subscribe to.
+        let none = map.info.is_none().then_some(0);
+        let subscribers = count_subscriptions(domain, &map.name).or(none);
+        let heard = heartbeat_age(domain, &map.name);
+        Status::of(map, subscribers, heard, daemon, may_ask)
     };
     maps.into_iter().map(of).collect()
 }
@@ -216,9 +224,13 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
             map.name,
             number(map.generation),
             map.bytes.map_or_else(|| "-".to_owned(), size),
-            map.subscribers,
+            map.subscribers.map_or_else(|| "-".to_owned(), |count| count.to_string()),
             since
         )?;
+        if let (false, Some(heard)) = (map.alive, map.heard_seconds) {
+            let when = time(Duration::from_secs_f64(heard));
+            writeln!(out, "    its daemon was killed, and last heard of {when} ago")?;
+        }
         let Some(state) = &map.state else {
             if map.alive && map.may_ask {
                 writeln!(out, "    its daemon does not answer")?;
@@ -277,10 +289,14 @@ fn size(bytes: u64) -> String {
 /// How long ago something was published.
 fn age(published_unix_ns: Option<u64>) -> String {
     let Some(published) = published_unix_ns else { return "-".to_owned() };
-    let seconds = since_epoch().saturating_sub(Duration::from_nanos(published)).as_secs();
-    match seconds {
-        0..120 => format!("{seconds} s"),
-        120..7200 => format!("{} min", seconds / 60),
-        _ => format!("{} h", seconds / 3600),
+    time(since_epoch().saturating_sub(Duration::from_nanos(published)))
+}
+
+/// A time in whole units.
+fn time(time: Duration) -> String {
+    match time.as_secs() {
+        seconds @ 0..120 => format!("{seconds} s"),
+        seconds @ 120..7200 => format!("{} min", seconds / 60),
+        seconds => format!("{} h", seconds / 3600),
     }
 }

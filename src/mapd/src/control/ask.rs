@@ -56,6 +56,16 @@ pub enum AskError {
         /// The map.
         map: String,
     },
+    /// Only the daemon's user may ask it.
+    #[error(
+        "map {map:?}: only user {owner}, who runs its daemon, may ask it; run the command as that user"
+    )]
+    Denied {
+        /// The map.
+        map: String,
+        /// User id of the domain's owner.
+        owner: u32,
+    },
     /// The socket cannot be used, or the answer not be understood.
     #[error("map {map:?}: request to the daemon: {source}")]
     Io {
@@ -103,6 +113,7 @@ pub fn ask(
             io::ErrorKind::BrokenPipe
             | io::ErrorKind::ConnectionReset
             | io::ErrorKind::UnexpectedEof => AskError::Ended { map },
+            io::ErrorKind::PermissionDenied => AskError::Denied { map, owner: domain.owner() },
             _ => AskError::Io { map, source: error },
         }
     };

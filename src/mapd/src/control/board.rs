@@ -48,7 +48,7 @@ impl Board {
             if begun.elapsed() > COUNTING {
                 break;
             }
-            map.subscribers = count_subscriptions(&self.domain, &map.name).unwrap_or(0);
+            map.subscribers = count_subscriptions(&self.domain, &map.name);
         }
         status
     }

@@ -57,8 +57,8 @@ pub struct MapState {
     pub staged: Option<GenerationStatus>,
     /// Generations before that `mapd rollback` can go back to.
     pub rollbacks: usize,
-    /// Subscriptions; 0 also where there was no time to count them.
-    pub subscribers: usize,
+    /// Subscriptions; `None` where they could not be counted.
+    pub subscribers: Option<usize>,
     /// Shared memory of the served and the staged generation \[bytes\]; older ones are in `held`.
     pub memory_bytes: u64,
     /// Generations that are not served any more, and that readers hold, when last looked.

@@ -43,7 +43,7 @@ const GAUGES: [(&str, &str, Value); 16] = [
     ("published_timestamp_seconds", "When the served generation was published, since 1970", |m| {
         Some(m.served.as_ref()?.published_unix_ns as f64 / 1e9)
     }),
-    ("clients", "Subscriptions", |m| Some(m.subscribers as f64)),
+    ("clients", "Subscriptions", |m| Some(m.subscribers? as f64)),
     ("held_generations", "Generations before that readers hold", |m| Some(m.held.len() as f64)),
     ("held_bytes", "Shared memory of generations before that readers hold", |m| {
         Some(m.held.iter().map(|held| held.bytes).sum::<u64>() as f64)
