@@ -37,7 +37,7 @@ mod without;
 pub use mapd_geodesy::{Target, TargetError};
 pub use options::{CompileOptions, CyclePolicy, OffsetSign, OptionsError, ReadOptions};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedContent, QuarantinedPart, Treatment};
-pub use report::{Compilation, Diagnostic, Progress, Verdict, Version};
+pub use report::{Compilation, Counts, Diagnostic, Progress, Verdict, Version};
 pub use without::{Extra, Without};
 
 use std::io::{self, Read};

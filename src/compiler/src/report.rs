@@ -5,8 +5,8 @@ use mapd_archive::{Provenance, Rows};
 use mapd_rules::Settings;
 use mapd_rules::catalog::{COMPUTABLE, building};
 use mapd_xodr::source::Places;
-use mapd_xodr::{Finding, Item, Severity, rule_ids};
-use std::collections::BTreeSet;
+use mapd_xodr::{CountedFinding, Finding, Item, Severity, Span, rule_ids};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -89,14 +89,61 @@ pub struct Compilation {
     pub missing: Vec<PathBuf>,
     /// The document's revision.
     pub version: Version,
-    /// Findings in file order.
+    /// Findings in file order. One of them may stand for several that were only counted.
     pub diagnostics: Vec<Diagnostic>,
-    /// Findings beyond those kept, by severity: information, warnings, errors.
+    /// How many findings there are of each severity and rule, whether kept or only counted.
+    pub counts: Counts,
+    /// How many more there are than `diagnostics`, by severity: information, warnings, errors.
     pub dropped: [usize; 3],
+    /// Whether there are more errors than are kept.
+    pub(crate) lacks_errors: bool,
     /// Parts that are not in the map as the document has them, in the order of the document.
     pub quarantined: Vec<QuarantinedPart>,
     /// The verdict on the map.
     pub verdict: Verdict,
+}
+
+/// Numbers of findings by severity and rule.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Counts(BTreeMap<(Severity, &'static str), usize>);
+
+impl Counts {
+    /// Adds what a finding stands for.
+    pub(crate) fn add(&mut self, finding: &Finding) {
+        let count = finding.count as usize;
+        if count > 0 {
+            *self.0.entry((finding.severity, finding.rule)).or_default() += count;
+        }
+    }
+
+    /// Severity, rule and number, of those that were found at all.
+    pub fn iter(&self) -> impl Iterator<Item = (Severity, &'static str, usize)> + '_ {
+        self.0.iter().map(|((severity, rule), count)| (*severity, *rule, *count))
+    }
+
+    /// Number of findings of a severity.
+    pub fn of(&self, severity: Severity) -> usize {
+        self.iter().filter(|(of, ..)| *of == severity).map(|(_, _, count)| count).sum()
+    }
+
+    /// How many more there are than those kept, by severity: information, warnings, errors.
+    pub(crate) fn beyond(&self, kept: &[Diagnostic]) -> [usize; 3] {
+        [Severity::Info, Severity::Warning, Severity::Error].map(|severity| {
+            let kept = kept.iter().filter(|d| d.finding.severity == severity).count();
+            self.of(severity).saturating_sub(kept)
+        })
+    }
+}
+
+impl Compilation {
+    /// Adds a finding about the document as a whole because of which there is no archive.
+    pub(crate) fn reject(&mut self, finding: Finding) {
+        self.counts.add(&finding);
+        let file = "".into();
+        let told = Diagnostic { finding, rejects: true, file, line: 1, column: 1 };
+        self.diagnostics.insert(0, told);
+        self.verdict = Verdict::Rejected;
+    }
 }
 
 /// Findings of one severity that are kept; a file with an error in every line must not fill the memory.
@@ -106,7 +153,10 @@ const KEPT: usize = 10_000;
 #[derive(Default)]
 pub(crate) struct Collector {
     diagnostics: Vec<Diagnostic>,
-    counts: [usize; 3],
+    counts: Counts,
+    /// Entries so far by severity, kept or not.
+    told: [usize; 3],
+    lacks_errors: bool,
     rejecting: usize,
     causes: Vec<Cause>,
     units: Units,
@@ -150,10 +200,12 @@ impl Collector {
     /// read on, or if the compiler finds the very thing unusable; then it stands for the compiler's finding. So does an error of the
     /// rule on curves. Where either is graded milder or switched off, the compiler's finding says why a part is left out.
     ///
-    /// What concerns parts that are left out already is no longer looked at.
+    /// What concerns parts that are left out already is no longer looked at. An error that is only counted stands for the compiler's, too, which then
+    /// is told in its place and does not count once more.
     pub(crate) fn add_read(
         &mut self,
         read: Vec<Finding>,
+        counted: Vec<CountedFinding>,
         built: Vec<Finding>,
         places: &Places,
         without: &Exclusions,
@@ -162,31 +214,30 @@ impl Collector {
             built.into_iter().partition(|finding| finding.rule == building::UNUSABLE.id);
         unusable.sort_by_key(|finding| finding.span.start);
         let mut explained = vec![false; unusable.len()];
+        let counted = if unusable.is_empty() { Vec::new() } else { counted };
+        for one in counted {
+            let mut finding = without_text(one);
+            let unit = self.units.of(finding.span.start);
+            raise(&mut finding, unit.is_some_and(is_small));
+            if let Some(finding) = self.settings.graded(finding) {
+                for_each_about(&finding, &mut unusable, |_, unusable| unusable.count = 0);
+            }
+        }
         for mut finding in read {
             let unit = self.units.of(finding.span.start).filter(|_| !is_outside(&finding));
             if !without.is_empty() && unit.is_some_and(|unit| self.is_left_out(unit, without)) {
                 continue;
             }
-            // Objects and signals are small enough to be left out where one of their values cannot be read.
-            let is_small =
-                unit.is_some_and(|u| matches!(u.kind, PartKind::Object | PartKind::Signal));
-            if is_small && finding.rule == rule_ids::EMPTY && is_place(&finding) {
-                finding.severity = Severity::Error;
-            }
+            let is_small = unit.is_some_and(is_small);
+            raise(&mut finding, is_small);
             let Some(finding) = self.settings.graded(finding) else { continue };
             let is_error = finding.severity == Severity::Error;
             let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
             rejects |= is_error && is_small && is_unreadable(&finding);
-            // Start tags do not overlap: it can only be about the one that begins last before it.
-            let after = unusable.partition_point(|one| one.span.start <= finding.span.start);
-            let tag = after.checked_sub(1).and_then(|last| unusable.get(last)).map(|one| one.span);
-            let first = unusable.partition_point(|one| Some(one.span.start) < tag.map(|t| t.start));
-            for at in first..after {
-                if is_error && is_about(&finding, &unusable[at]) {
-                    explained[at] = true;
-                    rejects = true;
-                }
-            }
+            for_each_about(&finding, &mut unusable, |at, _| {
+                explained[at] = true;
+                rejects = true;
+            });
             self.push(finding, rejects, places);
         }
         for (finding, explained) in unusable.into_iter().zip(explained) {
@@ -232,10 +283,12 @@ impl Collector {
     }
 
     fn keep(&mut self, finding: Finding, rejects: bool, places: &Places) {
-        let count = &mut self.counts[rank(finding.severity)];
+        self.counts.add(&finding);
+        let told = &mut self.told[rank(finding.severity)];
         // Those that say why there is no archive are kept beyond the others.
-        let kept = *count < KEPT || (rejects && self.rejecting < KEPT);
-        *count += 1;
+        let kept = *told < KEPT || (rejects && self.rejecting < KEPT);
+        *told += 1;
+        self.lacks_errors |= !kept && finding.severity == Severity::Error;
         self.rejecting += usize::from(rejects);
         if kept {
             let place = places.place(finding.span.start);
@@ -273,10 +326,7 @@ impl Collector {
     ) -> (Compilation, Vec<Cause>, Units) {
         self.diagnostics.sort_by_key(|d| d.finding.span.start);
         let verdict = if self.is_rejected() { Verdict::Rejected } else { Verdict::Accepted };
-        let mut dropped = self.counts;
-        for d in &self.diagnostics {
-            dropped[rank(d.finding.severity)] -= 1;
-        }
+        let dropped = self.counts.beyond(&self.diagnostics);
         let compilation = Compilation {
             rows: None,
             provenance,
@@ -284,11 +334,50 @@ impl Collector {
             missing: Vec::new(),
             version,
             diagnostics: self.diagnostics,
+            counts: self.counts,
             dropped,
+            lacks_errors: self.lacks_errors,
             quarantined,
             verdict,
         };
         (compilation, self.causes, self.units)
+    }
+}
+
+/// Whether a part is small enough to be left out where one of its values cannot be read.
+fn is_small(unit: Unit) -> bool {
+    matches!(unit.kind, PartKind::Object | PartKind::Signal)
+}
+
+/// An empty place of an object or signal is an error.
+fn raise(finding: &mut Finding, is_small: bool) {
+    if is_small && finding.rule == rule_ids::EMPTY && is_place(finding) {
+        finding.severity = Severity::Error;
+    }
+}
+
+/// A finding that is only counted, as one.
+fn without_text(counted: CountedFinding) -> Finding {
+    let CountedFinding { rule, severity, start, subject } = counted;
+    let (span, subject) = (Span { start, len: 0 }, (*subject).into());
+    let (path, message, hint) = (String::new(), String::new(), String::new());
+    Finding { rule, severity, span, path, subject, message, hint, count: 0 }
+}
+
+/// Does something to each of the compiler's findings, which are in file order, that an error of the reader's is about; with its number.
+fn for_each_about(
+    read: &Finding,
+    unusable: &mut [Finding],
+    mut each: impl FnMut(usize, &mut Finding),
+) {
+    // Start tags do not overlap: it can only be about the one that begins last before it.
+    let after = unusable.partition_point(|one| one.span.start <= read.span.start);
+    let tag = after.checked_sub(1).and_then(|last| unusable.get(last)).map(|one| one.span);
+    let first = unusable.partition_point(|one| Some(one.span.start) < tag.map(|t| t.start));
+    for (at, one) in unusable.iter_mut().enumerate().take(after).skip(first) {
+        if read.severity == Severity::Error && is_about(read, one) {
+            each(at, one);
+        }
     }
 }
 

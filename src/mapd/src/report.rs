@@ -166,11 +166,10 @@ pub(crate) fn reported<'a>(file: &'a str, d: &'a Diagnostic) -> ReportedFinding<
 
 /// How many findings there are.
 pub(crate) fn counts(compiled: &Compilation) -> Counts {
-    let [information, warnings, errors] = compiled.dropped;
     Counts {
-        errors: of(compiled, Severity::Error).count() + errors,
-        warnings: of(compiled, Severity::Warning).count() + warnings,
-        information: of(compiled, Severity::Info).count() + information,
+        errors: compiled.counts.of(Severity::Error),
+        warnings: compiled.counts.of(Severity::Warning),
+        information: compiled.counts.of(Severity::Info),
     }
 }
 
@@ -214,13 +213,16 @@ pub fn print(file: &str, compiled: &Compilation) {
                 let _ = writeln!(err, "    hint: {}", f.hint);
             }
         }
-        if count > told.len() {
-            let _ = writeln!(
-                err,
-                "{file}: {} more {}s; `--report` writes all",
-                count - told.len(),
-                severity_name(severity)
-            );
+        let more = count.saturating_sub(told.iter().map(|d| d.finding.count as usize).sum());
+        if more > 0 {
+            let name = severity_name(severity);
+            let each = |all: &[&Diagnostic]| all.iter().filter(|d| d.finding.count == 1).count();
+            let kept = each(&of(compiled, severity).collect::<Vec<_>>()) - each(&told);
+            let written = match kept == more {
+                true => "`--report` writes all".to_owned(),
+                false => format!("`--report` writes {kept} of them, the others are only counted"),
+            };
+            let _ = writeln!(err, "{file}: {more} more {name}s; {written}");
         }
     }
     match compiled.verdict {

@@ -12,8 +12,11 @@ use std::sync::Arc;
 /// Oldest version that the rules know.
 const OLDEST: Minor = 4;
 
-/// Findings of a rule that are not kept: the place of the first, the severity of the worst, how many.
-type LeftOut = Option<(Span, Severity, u32)>;
+/// Findings of a rule that are not kept, information and warnings by themselves: the place of the first, how many.
+type LeftOut = [Option<(Span, u32)>; 2];
+
+/// Their severities.
+const LEFT_OUT: [Severity; 2] = [Severity::Info, Severity::Warning];
 
 /// Checks a document while it streams by.
 pub struct Checker {
@@ -28,7 +31,7 @@ impl Checker {
     /// A checker with nothing seen yet. Until a header says otherwise, documents are of the newest version.
     pub fn new(settings: &Settings) -> Self {
         let examiner = Examiner::new(Rules::new(settings, NEWEST));
-        let left_out = vec![None; examiner.counts.len()];
+        let left_out = vec![LeftOut::default(); examiner.counts.len()];
         Self { settings: settings.clone(), examiner, left_out, findings: Vec::new() }
     }
 
@@ -90,7 +93,7 @@ impl Checker {
         let version = Minor::try_from(minor.clamp(i32::from(OLDEST), i32::from(NEWEST)));
         let rules = Rules::new(&self.settings, version.unwrap_or(NEWEST));
         self.examiner.counts = vec![0; rules.applied.len()];
-        self.left_out = vec![None; rules.applied.len()];
+        self.left_out = vec![LeftOut::default(); rules.applied.len()];
         self.examiner.rules = Arc::new(rules);
     }
 
@@ -102,8 +105,9 @@ impl Checker {
                 RuleOutcome::Finding(finding) => self.findings.push(finding),
                 RuleOutcome::LeftOut(span, severity, count) => {
                     let Some(left_out) = self.left_out.get_mut(rank) else { continue };
-                    let (_, worst, all) = left_out.get_or_insert((span, severity, 0));
-                    *worst = severity.max(*worst);
+                    let of = left_out.iter_mut().zip(LEFT_OUT).find(|(_, of)| *of == severity);
+                    let Some((left_out, _)) = of else { continue };
+                    let (_, all) = left_out.get_or_insert((span, 0));
                     *all = all.saturating_add(count);
                 }
             }
@@ -132,7 +136,8 @@ impl Checker {
         let Whole { rules, network } = whole;
         self.keep(Examined(examined.into_iter().flat_map(|examined| examined.0).collect()));
         for (applied, left_out) in rules.applied.iter().zip(&self.left_out) {
-            if let Some((span, severity, count)) = *left_out {
+            for (left_out, severity) in left_out.iter().zip(LEFT_OUT) {
+                let Some((span, count)) = *left_out else { continue };
                 let message = format!("{count} more findings of this rule, the first of them here");
                 self.findings.push(Finding {
                     rule: applied.rule.id,
@@ -142,6 +147,7 @@ impl Checker {
                     subject: "".into(),
                     message,
                     hint: String::new(),
+                    count,
                 });
             }
         }

@@ -112,7 +112,7 @@ impl Rules {
 /// What a rule found.
 pub(crate) enum RuleOutcome {
     Finding(Finding),
-    /// Findings beyond those kept: the place of the first, the severity of the worst, how many.
+    /// Findings of one severity beyond those kept: the place of the first, their severity, how many.
     LeftOut(Span, Severity, u32),
 }
 

@@ -145,8 +145,9 @@ impl Sink<'_> {
         *self.count = self.count.saturating_add(1);
         if is_left_out(*self.count, self.limit, severity) {
             match self.out.last_mut() {
-                Some((rank, RuleOutcome::LeftOut(_, worst, count))) if *rank == self.rank => {
-                    *worst = severity.max(*worst);
+                Some((rank, RuleOutcome::LeftOut(_, of, count)))
+                    if *rank == self.rank && *of == severity =>
+                {
                     *count = count.saturating_add(1);
                 }
                 _ => self.out.push((self.rank, RuleOutcome::LeftOut(span, severity, 1))),
@@ -156,7 +157,7 @@ impl Sink<'_> {
         let message = format!("expected {expected}, found {found}");
         let rule = self.rule.id;
         let (path, subject, hint) = (path(), "".into(), String::new());
-        let finding = Finding { rule, severity, span, path, subject, message, hint };
+        let finding = Finding { rule, severity, span, path, subject, message, hint, count: 1 };
         self.out.push((self.rank, RuleOutcome::Finding(finding)));
     }
 }

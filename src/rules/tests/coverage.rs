@@ -157,6 +157,7 @@ fn findings_of_reading_and_building_are_graded() {
         subject: "".into(),
         message: String::new(),
         hint: String::new(),
+        count: 1,
     };
     use Severity::{Error, Info, Warning};
     let (gap, missing) = ("mapd:graph.gap", "mapd:graph.missing_lane");

@@ -6,7 +6,7 @@
 
 use crate::cursor::{Cursor, Name, NextChild, Open, Scope};
 use crate::extension::Extension;
-use crate::finding::Span;
+use crate::finding::{CountedFinding, Span};
 use crate::findings::{Counts, Findings, KeptFinding};
 use crate::generated::{Item, read_document};
 use crate::limits::Limits;
@@ -193,6 +193,7 @@ pub(crate) struct ReadPart {
     pub(crate) slot: Option<usize>,
     pub(crate) part: RootChild,
     pub(crate) findings: Vec<KeptFinding>,
+    pub(crate) counted: Vec<CountedFinding>,
     pub(crate) entered: Entered,
 }
 
@@ -277,8 +278,8 @@ impl Context {
                 NextChild::End => break,
             };
             cursor.spent = 0;
-            let findings = cursor.findings.take_kept();
-            parts.push(ReadPart { slot, part, findings, entered });
+            let (findings, counted) = (cursor.findings.take_kept(), cursor.findings.take_counted());
+            parts.push(ReadPart { slot, part, findings, counted, entered });
         }
         let is_whole = cursor.scope == Scope::WholeBatch
             && !cursor.findings.is_full()

@@ -1,10 +1,12 @@
 //! Findings as they are made: the first of each kind are kept, more are counted.
 
-use crate::finding::{Finding, Severity, Span};
+use crate::finding::{CountedFinding, Finding, Severity, Span};
+use crate::rule_ids;
 use std::collections::HashMap;
+use std::sync::Arc;
 
-/// What findings have in common: the rule, the type of element, and what of it is concerned.
-type Kind = (&'static str, &'static str, Box<str>);
+/// What findings have in common: the rule, how bad they are, the type of element, and what of it is concerned.
+type Kind = (&'static str, Severity, &'static str, Arc<str>);
 
 /// Kinds that are told apart; all others of a rule are one kind.
 const KINDS: usize = 1024;
@@ -18,11 +20,10 @@ pub(crate) type Counts = HashMap<Kind, (u32, Option<usize>)>;
 
 /// Findings beyond those kept, of one kind.
 struct More {
-    severity: Severity,
     /// The first that was not kept.
     span: Span,
     path: String,
-    count: usize,
+    count: u32,
 }
 
 /// A finding that is kept.
@@ -46,6 +47,8 @@ pub(crate) struct Findings {
     kept: Vec<KeptFinding>,
     counts: Counts,
     more: Vec<(Kind, More)>,
+    /// Those of `more` that building may run into as well.
+    counted: Vec<CountedFinding>,
     limit: u32,
     /// Errors so far, kept or not.
     pub(crate) errors: usize,
@@ -58,7 +61,7 @@ impl Findings {
 
     /// A collector for a part of a document, with what [`Findings::used_up`] says of what stands before it.
     pub(crate) fn behind(limit: u32, counts: Counts) -> Self {
-        Self { kept: Vec::new(), counts, more: Vec::new(), limit, errors: 0 }
+        Self { kept: Vec::new(), counts, more: Vec::new(), counted: Vec::new(), limit, errors: 0 }
     }
 
     /// Kinds of which no more are kept, so that a collector for what comes later need not keep any: half as many as are told apart,
@@ -78,21 +81,34 @@ impl Findings {
         make: impl FnOnce() -> (String, String),
     ) {
         self.errors += usize::from(severity == Severity::Error);
-        let (kind, fate) = self.fate(rule, element, detail, 1);
+        let (kind, fate) = self.fate(rule, severity, element, detail, 1);
+        if !matches!(fate, FindingFate::KeptFinding) {
+            self.remember(rule, severity, span, &kind.3);
+        }
         match fate {
             FindingFate::KeptFinding => {
                 let (path, message) = make();
                 let (path, message) = (shown(path), shown(message));
                 let subject = shorten(detail, DETAIL_BYTES).into();
                 let hint = String::new();
-                let finding = Finding { rule, severity, span, path, subject, message, hint };
+                let finding =
+                    Finding { rule, severity, span, path, subject, message, hint, count: 1 };
                 self.kept.push(KeptFinding { finding, element });
             }
             FindingFate::First => {
                 let path = shown(make().0);
-                self.more.push((kind, More { severity, span, path, count: 1 }));
+                self.more.push((kind, More { span, path, count: 1 }));
             }
-            FindingFate::Later(at) => self.one_more(at, severity, 1),
+            FindingFate::Later(at) => self.more_of(at, 1),
+        }
+    }
+
+    /// Keeps the place of a finding that is only counted, where it says that a value is not there.
+    fn remember(&mut self, rule: &'static str, severity: Severity, span: Span, subject: &Arc<str>) {
+        if matches!(rule, rule_ids::MISSING | rule_ids::EMPTY | rule_ids::VALUE | rule_ids::FINITE)
+        {
+            let (start, subject) = (span.start, Arc::clone(subject));
+            self.counted.push(CountedFinding { rule, severity, start, subject });
         }
     }
 
@@ -100,13 +116,14 @@ impl Findings {
     fn fate(
         &mut self,
         rule: &'static str,
+        severity: Severity,
         element: &'static str,
         detail: &str,
         count: u32,
     ) -> (Kind, FindingFate) {
-        let mut kind = (rule, element, Box::from(shorten(detail, DETAIL_BYTES)));
+        let mut kind = (rule, severity, element, Arc::from(shorten(detail, DETAIL_BYTES)));
         if self.counts.len() >= KINDS && !self.counts.contains_key(&kind) {
-            kind = (rule, "", Box::default());
+            kind = (rule, severity, "", Arc::from(""));
         }
         let (counted, more) = match self.counts.get_mut(&kind) {
             Some(known) => known,
@@ -124,10 +141,9 @@ impl Findings {
         (kind, fate)
     }
 
-    fn one_more(&mut self, at: usize, severity: Severity, count: usize) {
+    fn more_of(&mut self, at: usize, count: u32) {
         if let Some((_, more)) = self.more.get_mut(at) {
-            more.count += count;
-            more.severity = more.severity.max(severity);
+            more.count = more.count.saturating_add(count);
         }
     }
 
@@ -144,27 +160,29 @@ impl Findings {
     /// Adds a finding that another collector has kept.
     pub(crate) fn add_again(&mut self, kept: KeptFinding) {
         let KeptFinding { finding, element } = &kept;
-        let (kind, fate) = self.fate(finding.rule, element, &finding.subject, 1);
-        let (severity, span) = (finding.severity, finding.span);
+        let (rule, severity, span) = (finding.rule, finding.severity, finding.span);
+        let (kind, fate) = self.fate(rule, severity, element, &finding.subject, 1);
+        if !matches!(fate, FindingFate::KeptFinding) {
+            self.remember(rule, severity, span, &kind.3);
+        }
         match fate {
             FindingFate::KeptFinding => self.kept.push(kept),
             FindingFate::First => {
-                self.more.push((kind, More { severity, span, path: kept.finding.path, count: 1 }));
+                self.more.push((kind, More { span, path: kept.finding.path, count: 1 }));
             }
-            FindingFate::Later(at) => self.one_more(at, severity, 1),
+            FindingFate::Later(at) => self.more_of(at, 1),
         }
     }
 
     /// Adds what another collector has only counted, after all that it kept.
     pub(crate) fn add_counts(&mut self, other: Self) {
         self.errors += other.errors;
-        for ((rule, element, detail), more) in other.more {
-            let count = u32::try_from(more.count).unwrap_or(u32::MAX);
-            let (kind, fate) = self.fate(rule, element, &detail, count);
+        for ((rule, severity, element, detail), more) in other.more {
+            let (kind, fate) = self.fate(rule, severity, element, &detail, more.count);
             match fate {
                 // There are as many before it as are kept, for the other collector has the same limit.
                 FindingFate::KeptFinding | FindingFate::First => self.more.push((kind, more)),
-                FindingFate::Later(at) => self.one_more(at, more.severity, more.count),
+                FindingFate::Later(at) => self.more_of(at, more.count),
             }
         }
     }
@@ -176,7 +194,7 @@ impl Findings {
 
     /// The document has ended: one finding for each kind that had more than are kept.
     pub(crate) fn finish(&mut self) {
-        for ((rule, element, detail), more) in self.more.drain(..) {
+        for ((rule, severity, element, detail), more) in self.more.drain(..) {
             let what = match (element, &*detail) {
                 ("", "") => "whatever they are about".to_owned(),
                 (what, "") | ("", what) => what.to_owned(),
@@ -184,11 +202,21 @@ impl Findings {
             };
             let message =
                 format!("{} more findings like this ({what}), the first of them here", more.count);
-            let (severity, span, path) = (more.severity, more.span, more.path);
-            let (subject, hint) = (detail, String::new());
-            let finding = Finding { rule, severity, span, path, subject, message, hint };
+            let More { span, path, count } = more;
+            let (subject, hint) = ((&*detail).into(), String::new());
+            let finding = Finding { rule, severity, span, path, subject, message, hint, count };
             self.kept.push(KeptFinding { finding, element });
         }
+    }
+
+    /// Takes what was only counted, and says that a value is not there.
+    pub(crate) fn take_counted(&mut self) -> Vec<CountedFinding> {
+        std::mem::take(&mut self.counted)
+    }
+
+    /// What [`Findings::take_counted`] takes is from here on what another collector had for it, and what is found then.
+    pub(crate) fn set_counted(&mut self, counted: Vec<CountedFinding>) {
+        self.counted = counted;
     }
 
     /// Takes the findings since the last call.

@@ -50,7 +50,7 @@ mod written;
 pub use attribute::{Attribute, PositionOrEnd, SpeedLimit, Text, Value};
 pub use batch::{Batch, Context, Cutter, ReadBatch, RestOfDocument};
 pub use extension::{Extension, ExtensionElement, ExtensionKind, Extensions};
-pub use finding::{Finding, Severity, Span};
+pub use finding::{CountedFinding, Finding, Severity, Span};
 pub use generated::*;
 pub use limits::Limits;
 pub use patch::{LONGEST_PATCH, Patch, PatchError, PatchedId, PatchedKind};

@@ -5,7 +5,7 @@ use crate::batch::{
 };
 use crate::cursor::{Cursor, Markup, NextChild, Open};
 use crate::extension::{Extension, Extensions};
-use crate::finding::{Finding, Severity, Span};
+use crate::finding::{CountedFinding, Finding, Severity, Span};
 use crate::findings::{Findings, KeptFinding};
 use crate::generated::{Item, read_document, schema_document};
 use crate::limits::{ELEMENT_BYTES, Limits};
@@ -52,7 +52,7 @@ pub enum Delivered {
 /// A step of what was read ahead.
 enum Accepted {
     /// A child of the root, and what was found about it.
-    Child(RootChild, Vec<KeptFinding>, Option<Misplaced>),
+    Child(RootChild, (Vec<KeptFinding>, Vec<CountedFinding>), Option<Misplaced>),
     /// The batch has ended.
     Rest(Findings),
 }
@@ -105,6 +105,7 @@ impl<'a> Reader<'a> {
         reason = "an iterator could not be asked for findings in between"
     )]
     pub fn next(&mut self) -> io::Result<Option<Item>> {
+        self.cursor.findings.set_counted(Vec::new());
         if matches!(self.state, State::BeforeRoot) {
             self.root();
         }
@@ -123,6 +124,11 @@ impl<'a> Reader<'a> {
     /// Takes the findings since the last call. Where many are of one kind, the last call has how many more there were.
     pub fn take_findings(&mut self) -> Vec<Finding> {
         self.cursor.take_findings()
+    }
+
+    /// Takes what was only counted about the item that was handed out last, and says of an attribute that its value is not there.
+    pub fn take_counted(&mut self) -> Vec<CountedFinding> {
+        self.cursor.findings.take_counted()
     }
 
     /// The revision that the header states, such as `1.7`; empty before the header and where it states none.
@@ -324,7 +330,7 @@ impl<'a> Reader<'a> {
         let notes = read.batch.take_notes();
         cursor.add_notes(notes, cursor.window.source.file());
         cursor.window.move_to(read.batch.start + read.batch.text.len() as u64);
-        for ReadPart { slot, part, findings, entered } in read.parts {
+        for ReadPart { slot, part, findings, counted, entered } in read.parts {
             let child = slot.and_then(|slot| root.schema.children.get(slot));
             let misplaced = child.filter(|child| child.order < root.order).map(|child| {
                 let (name, message) = (child.name, cursor.misplaced(root, child));
@@ -333,7 +339,7 @@ impl<'a> Reader<'a> {
             if let Some(slot) = slot {
                 cursor.count(root, slot);
             }
-            self.accepted.push_back(Accepted::Child(part, findings, misplaced));
+            self.accepted.push_back(Accepted::Child(part, (findings, counted), misplaced));
         }
         cursor.kind = root.schema.name;
         self.accepted.push_back(Accepted::Rest(read.rest));
@@ -354,8 +360,9 @@ impl<'a> Reader<'a> {
     pub fn delivered(&mut self) -> Option<Delivered> {
         loop {
             match self.accepted.pop_front()? {
-                Accepted::Child(part, mut findings, misplaced) => {
+                Accepted::Child(part, (mut findings, counted), misplaced) => {
                     let cursor = &mut self.cursor;
+                    cursor.findings.set_counted(counted);
                     if let Some(Misplaced { name, entered, message }) = misplaced {
                         let behind = findings.split_off(entered.findings.min(findings.len()));
                         findings.into_iter().for_each(|kept| cursor.findings.add_again(kept));

@@ -200,6 +200,91 @@ fn limits_are_options() {
     }
 }
 
+/// All findings beyond a limit counted as one.
+#[test]
+fn numbers_are_those_of_all_findings() {
+    const PARTS: usize = 150;
+    let parts = |part: &str| {
+        let part = |id: usize| part.replace("ID", &id.to_string());
+        (2..2 + PARTS).map(part).collect::<String>()
+    };
+    let roads =
+        |road: &str| document("").replace("</OpenDRIVE>", &format!("{}</OpenDRIVE>", parts(road)));
+    let bare = format!("<road id=\"ID\" junction=\"-1\">{PLAN}{LANES}</road>\n");
+    let signal = |rest: &str| {
+        let signal = format!("<signal id=\"ID\" t=\"3\" zOffset=\"0\" {rest}/>\n");
+        document(&format!("<signals>{}</signals>", parts(&signal)))
+    };
+    let folder = tempfile::tempdir().expect("a folder");
+    let [file, rules, report, archive] =
+        ["a.xodr", "r.toml", "r.json", "a.mapd"].map(|name| folder.path().join(name));
+    let json = |text: &[u8]| serde_json::from_slice::<serde_json::Value>(text).expect("JSON");
+    let sum = |list: &serde_json::Value| {
+        list.as_array().expect("a list").iter().filter_map(|one| one["count"].as_u64()).sum::<u64>()
+    };
+    for (text, what, due) in [
+        (document(&parts("<tree/>")), "warnings", "mapd:structure.unknown_element"),
+        // The compiler finds that there is no length, too.
+        (roads(&bare), "errors", "mapd:structure.missing_attribute"),
+        (
+            signal("s=\"\" dynamic=\"no\" orientation=\"+\" type=\"x\" subtype=\"x\""),
+            "errors",
+            "mapd:value.empty",
+        ),
+        (
+            signal("s=\"1\" orientation=\"+\" type=\"x\" subtype=\"x\""),
+            "errors",
+            "mapd:structure.missing_attribute",
+        ),
+        // Information and warnings of a rule.
+        (
+            roads(&bare.replace(" junction", " length=\"10.5\" junction")),
+            "warnings",
+            "asam.net:xodr:1.9.0:road.length_sum_geometries",
+        ),
+    ] {
+        std::fs::write(&file, text).expect("written");
+        let checked = ["0", "2", "100", "100000"].map(|limit| {
+            std::fs::write(&rules, format!("max_findings = {limit}")).expect("written");
+            let rules = rules.to_str().expect("UTF-8");
+            let args = ["-q", "--max-findings", limit, "--rules", rules];
+            let told = json(&run(&file, &[&args[..], &["--json"]].concat()).stdout);
+            let counts = &told["counts"];
+            let all: u64 = ["errors", "warnings", "information"]
+                .map(|severity| counts[severity].as_u64().expect("a number"))
+                .iter()
+                .sum();
+            assert_eq!(sum(&told["rules"]), all, "{due}");
+            let of =
+                told["rules"].as_array().expect("a list").iter().find(|one| one["rule"] == due);
+            assert!(of.is_some_and(|of| of["count"].as_u64() >= Some(PARTS as u64)), "{told:#}");
+            let text = String::from_utf8(run(&file, &args).stdout).expect("UTF-8");
+            let last = text.lines().last().unwrap_or_default().to_owned();
+            assert!(last.contains(&format!("{what} {}", counts[what])), "{last}");
+            (
+                counts.clone(),
+                told["rules"].clone(),
+                last,
+                told["quarantined"].as_array().map(Vec::len),
+            )
+        });
+        assert!(checked.iter().all(|one| *one == checked[0]), "{due}: {checked:#?}");
+        let of_others =
+            |args: &[&str]| Command::new(MAPD).args(args).arg(&file).output().expect("starts");
+        let inspected = json(&of_others(&["inspect", "--json"]).stdout);
+        let found = &inspected["findings"];
+        assert_eq!(found[what], checked[0].0[what], "{due}: {found:#}");
+        assert_eq!(sum(&found["by_rule"]), sum(&checked[0].1), "{due}: {found:#}");
+        let [to, archive] = [&report, &archive].map(|path| path.to_str().expect("UTF-8"));
+        let compiled = of_others(&["compile", "--report", to, "-o", archive]);
+        let said = String::from_utf8_lossy(&compiled.stderr).into_owned();
+        let told = json(&std::fs::read(&report).unwrap_or_default());
+        assert_eq!(told["counts"], checked[0].0, "{due}: {said}");
+        let more = "147 more warnings; `--report` writes 97 of them, the others are only counted";
+        assert!(due != "mapd:structure.unknown_element" || said.contains(more), "{said}");
+    }
+}
+
 /// What was found between the children of an element counted for whichever element within them was read last. So it was told again for each kind
 /// of those, and how often depended on the number of threads.
 #[test]

@@ -25,5 +25,5 @@ pub(crate) fn finding(
 ) -> Finding {
     let severity = severity.min(rule.severity);
     let (rule, subject, hint) = (rule.id, "".into(), hint.to_owned());
-    Finding { rule, severity, span, path, subject, message, hint }
+    Finding { rule, severity, span, path, subject, message, hint, count: 1 }
 }

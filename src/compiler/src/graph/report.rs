@@ -87,9 +87,11 @@ impl<'a> Report<'a> {
             if count <= NAMED || self.is_error(rule, severity) {
                 continue;
             }
-            let message = format!("{} more findings of this rule", count - NAMED);
+            let more = count - NAMED;
+            let message = format!("{more} more findings of this rule");
             let path = "OpenDRIVE".to_owned();
-            self.findings.push(finding(rule, severity, Span::default(), path, message, ""));
+            let all = finding(rule, severity, Span::default(), path, message, "");
+            self.findings.push(Finding { count: u32::try_from(more).unwrap_or(u32::MAX), ..all });
         }
         self.findings
     }

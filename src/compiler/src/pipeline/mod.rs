@@ -9,7 +9,7 @@ use crate::draft::{Draft, Links};
 use crate::findings::{too_large, too_many_ids, too_many_overlaps, unfit};
 use crate::options::{CompileOptions, ReadOptions};
 use crate::quarantine::{Cause, Exclusions, QuarantinedPart, Units};
-use crate::report::{Collector, Compilation, Diagnostic, Progress, Verdict, Version};
+use crate::report::{Collector, Compilation, Progress, Verdict, Version};
 use crate::without::Without;
 use crate::{frame, graph, index, objects, resolve, sample, signals};
 use hashing::HashingReader;
@@ -83,12 +83,8 @@ fn build(
         match index::lanes(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {
-                let finding = too_large(&error);
-                let file = "".into();
-                let told = Diagnostic { finding, rejects: true, file, line: 1, column: 1 };
-                compiled.diagnostics.insert(0, told);
+                compiled.reject(too_large(&error));
                 compiled.quarantined.clear();
-                compiled.verdict = Verdict::Rejected;
             }
         }
     }
@@ -232,7 +228,7 @@ fn read(
             let plan =
                 || without.is_empty().then(|| Plan::new(&checker, &ontology, &places, extras));
             let Some(next) = stream.next(&plan)? else { break };
-            let read = stream.reader.take_findings();
+            let (read, counted) = (stream.reader.take_findings(), stream.reader.take_counted());
             let mut checked = Vec::new();
             let mut roads = None;
             match next {
@@ -242,7 +238,7 @@ fn read(
                     collector.append_units(part.units);
                     draft.append(part.draft);
                     elements = part.elements;
-                    collector.add_read(read, checked, &places, without);
+                    collector.add_read(read, counted, checked, &places, without);
                     continue;
                 }
                 Next::Lowered => {
@@ -267,7 +263,7 @@ fn read(
                     }
                 }
             }
-            collector.add_read(read, checked, &places, without);
+            collector.add_read(read, counted, checked, &places, without);
             let (bytes, roads) = (stream.reader.bytes_read(), roads.unwrap_or(draft.roads()));
             progress(Progress::Reading { bytes, roads });
         }
@@ -299,7 +295,7 @@ fn read(
         late.push(too_many_overlaps());
     }
     let network = checker.end(whole, examined);
-    collector.add_read(read, checker.take_findings(), &places, without);
+    collector.add_read(read, Vec::new(), checker.take_findings(), &places, without);
     if lacks_ids {
         late.push(too_many_ids());
     }

@@ -4,7 +4,7 @@ use super::Round;
 use crate::findings::finding;
 use crate::options::{CompileOptions, ReadOptions};
 use crate::quarantine::{Exclusions, OnError, Treatment};
-use crate::report::{Compilation, Diagnostic, Progress, Verdict};
+use crate::report::{Compilation, Counts, Diagnostic, Progress, Verdict};
 use mapd_archive::Rows;
 use mapd_rules::catalog::building;
 use mapd_xodr::{Severity, Span};
@@ -52,8 +52,7 @@ pub(crate) fn read<R: Read + Send>(
 /// Errors by place and rule; none where there are more than are kept.
 fn errors(whole: &Compilation) -> Option<BTreeSet<(u64, &'static str)>> {
     let errors = whole.diagnostics.iter().filter(|d| d.rejects);
-    (whole.dropped[2] == 0)
-        .then(|| errors.map(|d| (d.finding.span.start, d.finding.rule)).collect())
+    (!whole.lacks_errors).then(|| errors.map(|d| (d.finding.span.start, d.finding.rule)).collect())
 }
 
 /// Leaves out every part that has an error. False where something has one that is no part.
@@ -81,7 +80,7 @@ fn leave_out(round: &mut Round, reading: &ReadOptions, without: &mut Exclusions)
 /// Findings of all rounds.
 struct RoundOutcome {
     diagnostics: Vec<Diagnostic>,
-    dropped: [usize; 3],
+    counts: Counts,
     seen: BTreeSet<(u64, &'static str)>,
 }
 
@@ -89,7 +88,7 @@ impl RoundOutcome {
     fn new(first: &Compilation) -> Self {
         let seen =
             first.diagnostics.iter().map(|d| (d.finding.span.start, d.finding.rule)).collect();
-        Self { diagnostics: first.diagnostics.clone(), dropped: first.dropped, seen }
+        Self { diagnostics: first.diagnostics.clone(), counts: first.counts.clone(), seen }
     }
 
     /// Adds what only shows without the parts left out, and takes something out itself, and signals without lanes: lanes are
@@ -98,6 +97,7 @@ impl RoundOutcome {
         let counts = |d: &&Diagnostic| d.rejects || d.finding.rule == building::SIGNAL_LANES.id;
         for d in later.diagnostics.iter().filter(counts) {
             if self.seen.insert((d.finding.span.start, d.finding.rule)) {
+                self.counts.add(&d.finding);
                 self.diagnostics.push(d.clone());
             }
         }
@@ -106,7 +106,8 @@ impl RoundOutcome {
     fn finish(mut self, compilation: &mut Compilation) {
         self.diagnostics.sort_by_key(|d| d.finding.span.start);
         compilation.diagnostics = self.diagnostics;
-        compilation.dropped = self.dropped;
+        compilation.counts = self.counts;
+        compilation.dropped = compilation.counts.beyond(&compilation.diagnostics);
     }
 }
 
@@ -141,8 +142,6 @@ fn judge(compilation: &mut Compilation, roads: usize, length: f64, reading: &Rea
             message,
             "",
         );
-        let diagnostic = Diagnostic { finding, rejects: true, file: "".into(), line: 1, column: 1 };
-        compilation.diagnostics.insert(0, diagnostic);
-        compilation.verdict = Verdict::Rejected;
+        compilation.reject(finding);
     }
 }

@@ -962,7 +962,7 @@ class Report:
     findings: tuple[Finding, ...]
     """In the order of the file."""
     dropped: tuple[int, int, int]
-    """Findings beyond those kept: information, warnings, errors."""
+    """How many more findings there are than `findings` lists: information, warnings, errors."""
     quarantined: tuple[QuarantinedPart, ...]
     version: str
     """The revision that the file states; empty where it states none."""

@@ -260,6 +260,7 @@ fn many_findings_of_a_kind_are_counted() {
     let found = reader.take_findings();
     assert_eq!(found.len(), 4, "{found:?}");
     assert!(found[3].message.starts_with("7 more"), "{found:?}");
+    assert_eq!(found.iter().map(|finding| finding.count).sum::<u32>(), 10);
 }
 
 #[test]

@@ -88,7 +88,7 @@ struct ReadArgs {
     #[arg(long, value_name = "BYTES", default_value_t = Limits::default().item_bytes)]
     max_road_bytes: usize,
 
-    /// Findings to list of one kind for one type of element; more are only counted
+    /// Findings of reading to keep of one kind for one type of element; more are only counted
     #[arg(long, value_name = "N", default_value_t = Limits::default().findings_of_a_kind)]
     max_findings: u32,
 
@@ -146,8 +146,8 @@ impl CheckCommand {
 /// Findings of each rule, most first: rule, count.
 fn by_rule(checked: &Compilation) -> Vec<(&'static str, usize)> {
     let mut counts = std::collections::BTreeMap::new();
-    for diagnostic in &checked.diagnostics {
-        *counts.entry(diagnostic.finding.rule).or_insert(0) += 1;
+    for (_, rule, count) in checked.counts.iter() {
+        *counts.entry(rule).or_insert(0) += count;
     }
     let mut rules: Vec<(&str, usize)> = counts.into_iter().collect();
     rules.sort_by_key(|(rule, count)| (std::cmp::Reverse(*count), *rule));

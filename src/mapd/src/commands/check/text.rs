@@ -18,10 +18,11 @@ pub(super) fn write(
     let name = file.display().to_string();
     let excerpts = excerpts(file, &checked.diagnostics);
     let colours = Colours::of(&std::io::stdout());
-    let (mut folding, mut folded) = (Folding::default(), 0);
+    let (mut folding, mut folded, mut folded_kept) = (Folding::default(), 0, 0);
     for (d, excerpt) in checked.diagnostics.iter().zip(excerpts) {
         if !folding.tells(d) && !all {
-            folded += 1;
+            folded += d.finding.count as usize;
+            folded_kept += 1;
             continue;
         }
         let f = &d.finding;
@@ -56,8 +57,13 @@ pub(super) fn write(
             writeln!(out, "    hint: {}", f.hint)?;
         }
     }
-    if folded > 0 {
-        writeln!(out, "{folded} more findings of these rules; --all tells each")?;
+    if folded_kept > 0 && folded <= folded_kept {
+        writeln!(out, "{folded_kept} more findings of these rules; --all tells each")?;
+    } else if folded_kept > 0 {
+        writeln!(
+            out,
+            "{folded} more findings of these rules; --all tells the first of them, the others are only counted"
+        )?;
     }
     for (rule, count) in super::by_rule(checked) {
         writeln!(out, "{count:7} {rule}")?;

@@ -56,7 +56,11 @@ pub(super) fn write(file: &Path, checked: &Compilation, out: &mut dyn Write) -> 
     for d in &checked.diagnostics {
         rules.entry(uid(d.finding.rule)).or_default().1.push(d);
     }
-    let count = checked.diagnostics.len();
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for (_, rule, count) in checked.counts.iter() {
+        *counts.entry(uid(rule)).or_default() += count;
+    }
+    let count: usize = counts.values().sum();
     writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\"?>")?;
     writeln!(out, "<CheckerResults version=\"1.0.0\">")?;
     writeln!(
@@ -73,7 +77,7 @@ pub(super) fn write(file: &Path, checked: &Compilation, out: &mut dyn Write) -> 
             out,
             "    <Checker checkerId=\"{checker}\" description=\"{}\" status=\"completed\" summary=\"{} findings\">",
             escaped(meaning),
-            diagnostics.len()
+            counts.get(uid).copied().unwrap_or_default()
         )?;
         writeln!(out, "      <AddressedRule ruleUID=\"{uid}\"/>")?;
         for d in diagnostics {

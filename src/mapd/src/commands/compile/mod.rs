@@ -39,7 +39,7 @@ const TABLE: [&str; 3] = ["output_dir", "jobs", "json"];
 /// Said at the end of `mapd help compile`.
 pub(crate) const HELP: &str = "\
 With several files, a folder, --output-dir, --jobs or --json, each file is a tile. Tiles are compiled in processes of their own, \
-several at once. Next to DIR/NAME.mapd, DIR/NAME.report.json has all findings. Folders are searched recursively for .xodr and \
+several at once. Next to DIR/NAME.mapd, DIR/NAME.report.json has the findings. Folders are searched recursively for .xodr and \
 .xodrz; DIR gets the same subfolders. A tile is skipped if its archive is up to date with its input, included files, options and \
 the program. Jobs share the memory and, without --threads, the cores. The result is a table on stdout; docs/tiles.md has more.\n\n\
 Exit codes: 0 done and accepted, 3 a map was accepted with quarantined parts, 4 a map was rejected, 2 wrong usage, 1 the \
@@ -61,7 +61,7 @@ pub(crate) struct CompileCommand {
     #[arg(long, value_name = "DIR")]
     output_dir: Option<PathBuf>,
 
-    /// For a single file: write all findings as JSON
+    /// For a single file: write the findings as JSON
     #[arg(long, value_name = "R.json", conflicts_with_all = TABLE)]
     report: Option<PathBuf>,
 

@@ -4,7 +4,6 @@ use crate::report::{self, severity_name};
 use mapd_compiler::Compilation;
 use mapd_xodr::Severity;
 use serde::Serialize;
-use std::collections::BTreeMap;
 use std::io::{Result, Write};
 
 /// Rules that are told one by one to people.
@@ -17,7 +16,7 @@ pub(super) struct FindingFacts {
     counts: report::Counts,
     /// Errors first, then those with most findings.
     by_rule: Vec<RuleFacts>,
-    /// Findings beyond those kept, which no rule counts.
+    /// How many more there are than a report of the file lists.
     not_kept: usize,
 }
 
@@ -30,19 +29,11 @@ struct RuleFacts {
 
 impl FindingFacts {
     pub(super) fn of(compiled: &Compilation) -> Self {
-        let mut rules: BTreeMap<(Severity, &'static str), usize> = BTreeMap::new();
-        for one in &compiled.diagnostics {
-            *rules.entry((one.finding.severity, one.finding.rule)).or_default() += 1;
-        }
-        let mut rules: Vec<_> = rules.into_iter().collect();
-        rules.sort_by_key(|((severity, rule), count)| {
-            (std::cmp::Reverse((*severity, *count)), *rule)
-        });
-        let facts = |((severity, rule), count)| RuleFacts {
-            rule,
-            severity: severity_name(severity),
-            count,
-        };
+        let mut rules: Vec<_> = compiled.counts.iter().collect();
+        rules
+            .sort_by_key(|(severity, rule, count)| (std::cmp::Reverse((*severity, *count)), *rule));
+        let facts =
+            |(severity, rule, count)| RuleFacts { rule, severity: severity_name(severity), count };
         Self {
             counts: report::counts(compiled),
             by_rule: rules.into_iter().map(facts).collect(),
