@@ -61,15 +61,12 @@ struct Cli {
 /// Name of the program, whatever its file is called.
 const PROGRAM: &str = "mapd";
 
-/// Name of the command that compiles.
-const COMPILE: &str = "compile";
-
 const EXIT_CODES: &str = "Exit codes: 0 done and accepted, 3 accepted with quarantined parts, 4 map rejected, 2 wrong usage, 1 the environment failed.";
 
 #[derive(Subcommand)]
 enum Command {
     /// Compile OpenDRIVE files into archives
-    #[command(name = COMPILE, after_help = compile::HELP)]
+    #[command(after_help = compile::HELP)]
     Compile(Box<CompileCommand>),
     /// List everything that is wrong with an OpenDRIVE file
     ///
@@ -240,14 +237,12 @@ fn execute(matches: &ArgMatches) -> Result<Exit> {
     check_room()?;
     let out = &mut BufWriter::new(io::stdout().lock());
     let Some(wanted) = cli.command else { return serve(&cli, matches) };
+    let own = matches.subcommand().map_or(matches, |(_, own)| own);
     let exit = match wanted {
-        Command::Compile(command) => {
-            let matches = matches.subcommand_matches(COMPILE).unwrap_or(matches);
-            compile::run(*command, matches, out)
-        }
+        Command::Compile(command) => compile::run(*command, own, out),
         Command::Check(command) => command.run(out),
         Command::Inspect(command) => command.run(out),
-        Command::Query(command) => command.run(out),
+        Command::Query(command) => command.run(own, out),
         Command::Match(command) => command.run(out),
         Command::Export(command) => command.run(out),
         Command::View(command) => command.run(out),

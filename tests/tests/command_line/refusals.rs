@@ -49,6 +49,44 @@ fn options_that_do_not_fit_the_format() {
     }
 }
 
+/// They were dropped in silence, but for --overlay.
+#[test]
+fn options_that_the_kind_does_not_heed() {
+    let map = town();
+    let along = ["route", "path", "corridor", "project", "conflicts"];
+    let traffic = [&along[..], &["speed", "signals"]].concat();
+    let program = mapd::cli::command();
+    let query = program.find_subcommand("query").expect("a command");
+    let kinds = query.get_arguments().find(|arg| arg.get_id() == "kind").expect("an argument");
+    let kinds = kinds.get_possible_values();
+    for (option, value, heeding) in [
+        ("--radius", Some("10"), &["nearest", "nearest-marks"][..]),
+        ("--types", Some("drivable"), &["nearest", "match", "nearest-marks"]),
+        ("--z-tolerance", Some("1"), &["nearest", "match"]),
+        ("--heading-tolerance", Some("1"), &["nearest"]),
+        ("--outline", Some("1,1,1,1"), &["match"]),
+        ("--by", Some("length"), &along),
+        ("--alternatives", Some("1"), &["route"]),
+        ("--avoid", Some("1:0:-1"), &along),
+        ("--lane-change", Some("20"), &along),
+        ("--vehicle", Some("passengerCar"), &traffic),
+        ("--overlay", None, &traffic),
+        ("--rules", Some("DE"), &["conflicts"]),
+        ("--step", Some("1"), &["path", "corridor"]),
+    ] {
+        let args =
+            |kind| ["query", &map, kind, option].into_iter().chain(value).collect::<Vec<_>>();
+        let others =
+            kinds.iter().map(|kind| kind.get_name()).filter(|kind| !heeding.contains(kind));
+        for kind in others {
+            refuses(&args(kind), "", 0, &format!("{kind} does not heed {option}"));
+        }
+        // Who heeds it gets as far as what else is wrong.
+        let said = if option == "--overlay" { "shm:NAME" } else { "needs the columns" };
+        refuses(&args(heeding[0]), "", 0, said);
+    }
+}
+
 /// All rows behind it were taken for its text, with exit code 0.
 #[test]
 fn a_quote_that_is_not_closed() {

@@ -2,13 +2,13 @@
 
 use super::input::InputError;
 use super::output::FormatArgs;
-use super::{Asking, Kind, QueryRunError, RouteArgs, run_under};
+use super::{Asking, Kind, QueryRunError, RouteArgs, heeded, run_under};
 use crate::args::{Opening, lane_types, not_negative};
 use crate::clock::since_epoch;
 use crate::exit::{Exit, UsageError};
 use crate::source::Source;
 use anyhow::{Result, bail};
-use clap::Args;
+use clap::{ArgMatches, Args};
 use mapd_client::localisation::{MarkFilter, VehicleOutline};
 use mapd_client::view::View;
 use mapd_client::{NearestOptions, Snapshot};
@@ -52,8 +52,9 @@ pub(crate) struct QueryCommand {
 impl QueryCommand {
     /// Answers what stdin asks.
     ///
-    /// Errors: the source cannot be opened; wrong usage; reading or writing fails.
-    pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
+    /// Errors: the source cannot be opened; wrong usage, such as an option that the kind does not heed; reading or writing fails.
+    pub(crate) fn run(self, matches: &ArgMatches, out: &mut dyn Write) -> Result<Exit> {
+        heeded::check(self.kind, matches)?;
         let usual_radius = match self.kind {
             Kind::NearestMarks => MarkFilter::default().radius,
             _ => NearestOptions::default().radius,
@@ -88,9 +89,6 @@ impl QueryCommand {
     fn view<'a>(&self, snapshot: &'a Snapshot) -> Result<View<'a>> {
         if !self.route.overlay {
             return Ok(View::of(snapshot.map(), None, UNIX_EPOCH));
-        }
-        if !self.kind.heeds_overlay() {
-            bail!(UsageError(format!("{} does not heed --overlay", self.kind.name())));
         }
         if self.source.file().is_some() {
             bail!(UsageError("--overlay goes with a map that is served, shm:NAME".to_owned()));

@@ -197,20 +197,6 @@ impl Kind {
         }
     }
 
-    /// Whether its answers heed what is laid over the map.
-    pub(crate) fn heeds_overlay(self) -> bool {
-        matches!(
-            self,
-            Self::Route
-                | Self::Path
-                | Self::Corridor
-                | Self::Project
-                | Self::Conflicts
-                | Self::Speed
-                | Self::Signals
-        )
-    }
-
     /// Whether it is about places of the map, some of which may be in quarantine.
     pub(crate) fn concerns_places(self) -> bool {
         !matches!(self, Self::Geodetic | Self::FromGeodetic)

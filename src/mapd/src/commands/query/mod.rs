@@ -7,6 +7,7 @@
 mod besides;
 pub(super) mod command;
 pub(super) mod earth;
+mod heeded;
 mod holes;
 pub(super) mod input;
 pub(super) mod kinds;

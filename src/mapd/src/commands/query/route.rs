@@ -28,7 +28,7 @@ pub enum RouteBy {
 /// How routes are found.
 #[derive(Args, Clone, Debug)]
 pub struct RouteArgs {
-    /// route: quantity to minimise
+    /// route, and all that goes along one: quantity to minimise
     #[arg(long, value_enum, default_value_t = RouteBy::Length)]
     by: RouteBy,
     /// route: so many routes, the cheapest first: a row for each that drives at least 30 % of its length elsewhere than those before it and costs at most half as much again
@@ -37,10 +37,10 @@ pub struct RouteArgs {
     /// route, and all that goes along one: lane that is not entered, as a key such as 12:0:-1; may be given several times
     #[arg(long, value_name = "LANE")]
     avoid: Vec<String>,
-    /// route: cost of a lane change, in metres or seconds [default: 20 m, 2 s]
+    /// route, and all that goes along one: cost of a lane change, in metres or seconds [default: 20 m, 2 s]
     #[arg(long, value_name = "COST", value_parser = not_negative)]
     lane_change: Option<f64>,
-    /// route, signals: kind of vehicle, in the words of access/restriction
+    /// route, all that goes along one, speed, signals: kind of vehicle, in the words of access/restriction
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
     vehicle: VehicleClass,
     /// shm:NAME: heed what is laid over the map (route, all that goes along one, speed, signals)
