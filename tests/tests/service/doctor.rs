@@ -178,6 +178,21 @@ fn rights_that_are_too_wide() {
     expect(&output, "rights", "problem", "is open to other users");
 }
 
+/// "ok files of dead processes", "ok rights", and then "maps: Permission denied", with the advice to see a line that was ok.
+#[test]
+fn a_domain_that_a_stranger_may_not_enter() {
+    let place = place();
+    let _daemon = place.serve(&[&town()]);
+    let Some(mut command) = mapd_tests::other_user::command(&place, "", MAPD) else { return };
+    let owner = place.domain().owner().to_string();
+    let output = command.args(["doctor", "--json", "--owner", &owner]).output().expect("runs");
+    expect(&output, "root folder", "problem", "Permission denied");
+    expect(&output, "root folder", "problem", "--share group:NAME");
+    for check in ["attach lock", "unfinished files", "files of dead processes", "rights", "maps"] {
+        assert!(lines(&output, check).is_empty(), "{check}: {output:?}");
+    }
+}
+
 /// The program with limits, by the shell's `ulimit`.
 fn limited(place: &TestDomain, limit: &str, archive: &str) -> Output {
     let script = format!("ulimit {limit} && exec {MAPD} doctor --json {archive}");
@@ -190,6 +205,45 @@ fn limits_of_the_process() {
     expect(&limited(&place, "-v 2000000", ""), "address space", "problem", "LimitAS=");
     expect(&limited(&place, "-f 100", ""), "file size", "problem", "SIGXFSZ");
     expect(&limited(&place, "-n 64", ""), "open files", "note", "LimitNOFILE=");
+}
+
+/// Nothing of it was read but its length: all of these were fine.
+#[test]
+fn an_archive_is_proved() {
+    let place = place();
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let compile = place.command().args(["compile", &town(), "-o"]).arg(at("town.mapd")).output();
+    assert_eq!(compile.expect("runs").status.code(), Some(0));
+    let whole = std::fs::read(at("town.mapd")).expect("read");
+    let mut altered = whole.clone();
+    altered[whole.len() / 2] ^= 1;
+    let written = [
+        ("cut.mapd", &whole[..1000]),
+        ("altered.mapd", &altered),
+        ("points.mapd", b"x,y\n1,2\n"),
+        ("empty.mapd", b""),
+    ];
+    for (name, bytes) in written {
+        std::fs::write(at(name), bytes).expect("written");
+    }
+    for (file, state, words) in [
+        (at("town.mapd"), "ok", "every byte verified"),
+        (at("cut.mapd"), "problem", "the archive is cut off"),
+        (at("altered.mapd"), "problem", "copy the archive again"),
+        (at("points.mapd"), "problem", "mapd compile FILE.xodr"),
+        (at("empty.mapd"), "problem", "empty.mapd: "),
+        (town().into(), "problem", "not a mapd archive"),
+        (folder.path().to_owned(), "problem", "name a file"),
+        (at("none.mapd"), "problem", "No such file"),
+    ] {
+        let output = place.command().args(["doctor", "--json"]).arg(&file).output().expect("runs");
+        expect(&output, "archive", state, words);
+        let lines = lines(&output, "archive");
+        assert_eq!(lines.len(), 1, "{lines:?}");
+        assert!(lines[0][1].contains(&file.display().to_string()), "{lines:?}");
+    }
+    assert!(lines(&doctor(&place), "archive").is_empty());
 }
 
 #[test]

@@ -55,6 +55,15 @@ pub(super) fn examine(domain: &Domain, out: &mut Vec<Finding>) -> bool {
             return false;
         }
     }
+    // Whoever may not look inside can say nothing of what is there.
+    if let Err(error) = std::fs::read_dir(domain.root()) {
+        out.push(Finding::problem(
+            check,
+            format!("{root}, of user {}: {error}", domain.owner()),
+            "run this as that user, or start its daemon with --share group:NAME, of a group that has both users",
+        ));
+        return false;
+    }
     match domain.root().metadata() {
         Ok(metadata) => out.push(match metadata.mode() & OTHERS {
             0 => Finding::ok(check, format!("{root}, of user {} alone", metadata.uid())),

@@ -2,6 +2,7 @@
 //!
 //! Nothing is changed: it looks, and attaches to each map as a client would.
 
+mod archive;
 mod configuration;
 mod domain;
 mod finding;
@@ -12,13 +13,13 @@ mod memory;
 use crate::args::Live;
 use crate::colour::Colours;
 use crate::exit::Exit;
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Args;
 use finding::{Finding, State};
 use mapd_client::Domain;
 use serde::Serialize;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Width of the column of what was examined.
@@ -27,7 +28,7 @@ const CHECK: usize = 24;
 /// What to examine.
 #[derive(Args)]
 pub(crate) struct DoctorCommand {
-    /// Archive (.mapd) to serve: check that there is room for two copies, as needed during a reload
+    /// Archive (.mapd) to serve: verify it, and check that there is room for two copies, as needed during a reload
     archive: Option<PathBuf>,
     /// Configuration file (docs/service.md): check what it says, and that its maps can be read
     #[arg(long, value_name = "FILE.toml")]
@@ -59,15 +60,15 @@ struct Report<'a> {
 
 /// Examines and prints. Ends with [`Exit::Environment`] where anything is a problem.
 ///
-/// Errors: the archive's size cannot be had; writing fails.
+/// Errors: writing fails.
 fn examine(
     args: &DoctorCommand,
     domain: &Domain,
     wait: Duration,
     out: &mut dyn Write,
 ) -> Result<Exit> {
-    let archive = args.archive.as_deref().map(length).transpose()?.unwrap_or(0);
     let mut findings = Vec::new();
+    let archive = args.archive.as_deref().map_or(0, |path| archive::examine(path, &mut findings));
     memory::examine(archive, &mut findings);
     limits::examine(archive, &mut findings);
     if let Some(config) = &args.config {
@@ -94,8 +95,4 @@ fn examine(
         }
     }
     Ok(if state == State::Problem { Exit::Environment } else { Exit::Done })
-}
-
-fn length(path: &Path) -> Result<u64> {
-    Ok(std::fs::metadata(path).with_context(|| format!("reading {}", path.display()))?.len())
 }
