@@ -7,7 +7,7 @@ use std::process::Output;
 
 const MAPD: &str = env!("CARGO_BIN_EXE_mapd_under_test");
 
-/// A town whose first street has no length, and its archive, which is without it.
+/// A town whose first street has no heading, and its archive, which is without it.
 struct Broken {
     place: TestDomain,
     folder: tempfile::TempDir,
@@ -18,8 +18,7 @@ impl Broken {
         let broken =
             Self { place: TestDomain::new(MAPD), folder: tempfile::tempdir().expect("a folder") };
         let text = fs::read_to_string(mapd_tests::carried("town.xodr")).expect("read");
-        let text =
-            text.replacen("name=\"Street 1\" length=\"76\"", "name=\"Street 1\" length=\"nan\"", 1);
+        let text = text.replacen("hdg=\"0\"", "hdg=\"nan\"", 1);
         fs::write(broken.path("q.xodr"), text).expect("written");
         let (map, archive) = (broken.path("q.xodr"), broken.path("q.mapd"));
         let output = broken.run(&["compile", &map, "-o", &archive]);
