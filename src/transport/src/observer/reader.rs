@@ -434,12 +434,13 @@ mod tests {
     /// once kept every newcomer out for as long as its daemon ran, which said that all was well.
     #[test]
     fn a_page_that_readers_cannot_use_is_made_anew() {
+        type Case<'a> = (&'a str, &'a dyn Fn(&Path));
         let over = |path: &Path, at: u64, bytes: &[u8]| {
             use std::os::unix::fs::FileExt;
             let file = std::fs::File::options().write(true).open(path).expect("opens");
             file.write_all_at(bytes, at).expect("written");
         };
-        let cases: [(&str, &dyn Fn(&Path)); 6] = [
+        let cases: [Case<'_>; 6] = [
             ("nothing happens", &|_| {}),
             ("noise at its beginning", &|path| over(path, 0, b"garbage")),
             ("another sequence", &|path| over(path, 12, &[77])),
