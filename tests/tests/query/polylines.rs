@@ -243,7 +243,8 @@ fn check_bends(lane: &Lane<'_>, name: &str) -> usize {
             let chord = places[4] - places[0];
             for place in places {
                 let away = place - places[0];
-                let share = (away.dot(chord) / chord.length_squared()).max(0.0).min(1.0);
+                let share =
+                    mapd_geometry::clamp(away.dot(chord) / chord.length_squared(), 0.0, 1.0);
                 let shown = 8.0 * (away - share * chord).length();
                 assert!(shown <= bend.across + BEND_ROUNDING, "{name}: {key} at {part}: {shown}");
             }
