@@ -26,13 +26,6 @@ fn list(said: &Value) -> impl Iterator<Item = &Value> {
     said.as_array().expect("a list in the schema").iter()
 }
 
-/// What patterns say of a field; each is the begin of its name.
-fn of_begin<'v>(patterns: &'v Value, name: &str) -> Option<&'v Value> {
-    let mut all = patterns.as_object().expect("an object in the schema").iter();
-    let begins = |pattern: &str| name.starts_with(pattern.strip_prefix('^').expect("a begin"));
-    all.find_map(|(pattern, said)| begins(pattern).then_some(said))
-}
-
 fn number(said: &Value) -> u64 {
     said.as_u64().expect("a number in the schema")
 }
@@ -91,17 +84,8 @@ impl Schema<'_> {
                     self.wrong(said.get(name)?, value, &format!("{place}.{name}"))
                 });
             }
-            "patternProperties" => {
-                return fields().find_map(|(name, value)| {
-                    self.wrong(of_begin(said, name)?, value, &format!("{place}.{name}"))
-                });
-            }
             "additionalProperties" if said.is_object() => {
-                let listed = |name: &str| {
-                    let by_begin =
-                        part.get("patternProperties").and_then(|all| of_begin(all, name));
-                    part["properties"].get(name).is_some() || by_begin.is_some()
-                };
+                let listed = |name: &str| part["properties"].get(name).is_some();
                 return fields()
                     .filter(|(name, _)| !listed(name))
                     .find_map(|(name, value)| self.wrong(said, value, &format!("{place}.{name}")));

@@ -401,10 +401,10 @@ fn signals_are_a_row_each() {
     let input = "road_id,s,lane_id,distance\n0,80,1,100\n0,30,-1,100\n0,80,1,x\n";
     let output = run(&["query", &source, "signals"], input);
     let errors = String::from_utf8_lossy(&output.stderr);
-    let expected = "input_road_id,input_s,lane_id,input_distance,id,class,distance,road_id,s,t,x,y,z,state_machine,method,value,error\n\
-        0,80,1,100,V,speed_limit,20.0,0,60.0,5.0,70.0,5.0,2.0,,orientation,13.88888888888889,\n\
-        0,80,1,100,L,traffic_light,79.0,0,1.0,5.0,11.0,5.0,3.0,red yellow green:red red_yellow yellow green flashing_yellow off,orientation,,\n\
-        0,80,1,x,,,,,,,,,,,,,\"expected a finite number in column distance, found \"\"x\"\"\"\n";
+    let expected = "lane_id,id,class,distance,road_id,s,t,x,y,z,state_machine,method,value,error\n\
+        1,V,speed_limit,20.0,0,60.0,5.0,70.0,5.0,2.0,,orientation,13.88888888888889,\n\
+        1,L,traffic_light,79.0,0,1.0,5.0,11.0,5.0,3.0,red yellow green:red red_yellow yellow green flashing_yellow off,orientation,,\n\
+        1,,,,,,,,,,,,,\"expected a finite number in column distance, found \"\"x\"\"\"\n";
     assert_eq!(String::from_utf8_lossy(&output.stdout), expected, "{errors}");
     let output = run(&["inspect", &source], "");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -509,7 +509,7 @@ fn a_table_of_ones_own_changes_what_signals_mean() {
     let (map, archive) = (at("map.xodr"), at("map.mapd"));
     let question = "x,y,radius\n70,5,1\n";
     let (code, text) = with_own(&["query", &map, "landmarks"], question);
-    assert!(code == Some(0) && text.contains("70,5,1,X,stop,0.0,0,60.0,5.0,"), "{text}");
+    assert!(code == Some(0) && text.contains("1,X,stop,0.0,0,60.0,5.0,"), "{text}");
     let (code, text) = with_own(&["inspect", &map], "");
     assert!(code == Some(0) && text.contains("  stop   "), "{text}");
     assert_eq!(with_own(&["export", &map, "--format", "svg"], "").0, Some(0));

@@ -87,57 +87,6 @@ fn options_that_the_kind_does_not_heed() {
     }
 }
 
-/// A question's own columns vanished where the answer has columns of these names, and answers could not be assigned.
-#[test]
-fn columns_of_questions_that_answers_have() {
-    let map = mapd_tests::carried("objects.xodr").display().to_string();
-    for (args, input, head, row) in [
-        (
-            &["query", &map, "objects"][..],
-            "id,x,y,radius,error\nq1,0,0,7,e\nnone,900,900,1,\nwrong,0,0,x,\n",
-            "input_id,input_x,input_y,radius,input_error,id,class,distance,road_id,s,t,x,y,z,value,error",
-            "q1,0,0,7,e,rail,barrier,",
-        ),
-        (
-            &["query", &map, "landmarks"],
-            "x,input_x,y,radius\n12,own,8,3\nwrong,,,\n",
-            "input_input_x,input_x,input_y,radius,id,",
-            "12,own,8,3,tree,tree,",
-        ),
-        (
-            &["match", &map],
-            "time,x,y,lane\n0,5,-1,mine\nx,5,-1,\n",
-            "time,x,y,input_lane,lane,s,offset,probability,error",
-            "0,5,-1,mine,1:0:-1,",
-        ),
-    ] {
-        let output = command::run(MAPD, args, input);
-        assert_eq!(output.status.code(), Some(0), "{args:?}: {}", errors(&output));
-        let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        let lines: Vec<&str> = text.lines().collect();
-        // No row for nothing, one for what is wrong.
-        assert_eq!(lines.len(), 3, "{args:?}: {text}");
-        assert!(lines[0].starts_with(head), "{args:?}: {text}");
-        assert!(lines[1].starts_with(row), "{args:?}: {text}");
-        assert!(lines[2].contains("expected a finite number in column"), "{args:?}: {text}");
-    }
-    let output = command::run(MAPD, &["query", &map, "objects", "--json"], "x,y,radius\n0,0,7\n");
-    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
-    assert_eq!(json[0]["input_x"], 0, "{json}");
-}
-
-/// What belongs to no column vanished.
-#[test]
-fn a_row_with_more_fields_than_the_header() {
-    let map = town();
-    let said = "line 4: the row has more fields than the header, which has 2";
-    let rows = "x,y\r\n50,-1.75\r\n\r\n60,\"-1.75\",3,4\r\n70,-1.75\r\n";
-    refuses(&["query", &map, "nearest"], rows, 2, said);
-    let trace = "\"time\",x,y\n0,50,-1.75\n1,60\n2,60,-1.75,\n";
-    let said = "line 4: the row has more fields than the header, which has 3";
-    refuses(&["match", &map], trace, 0, said);
-}
-
 /// All rows behind it were taken for its text, with exit code 0.
 #[test]
 fn a_quote_that_is_not_closed() {

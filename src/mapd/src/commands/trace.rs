@@ -3,7 +3,6 @@
 use super::query::QueryRunError;
 use super::query::command::usage_of;
 use super::query::earth::Earth;
-use super::query::echo;
 use super::query::input::reader as rows_of;
 use super::query::kinds::{number, point_in};
 use super::query::output::{FormatArgs, Output};
@@ -137,8 +136,10 @@ fn write(
     matches: &[TraceMatch],
     mut output: Output<impl Write>,
 ) -> Result<(), QueryRunError> {
-    let echoed = echo::names(headers, &COLUMNS);
-    output.head(echoed.iter().map(String::as_str).chain(COLUMNS).chain([echo::ERROR]))?;
+    let is_own = |name: &str| COLUMNS.contains(&name) || name == "error";
+    let echoed: Vec<usize> = (0..headers.len()).filter(|i| !is_own(&headers[*i])).collect();
+    let head = echoed.iter().map(|i| &headers[*i]).chain(COLUMNS).chain(["error"]);
+    output.head(head)?;
     let mut matches = matches.iter();
     for (record, error) in rows {
         let found = if error.is_none() { matches.next() } else { None };
@@ -152,9 +153,9 @@ fn write(
                 answer[2] = number(position.offset_of_reference_line);
             }
         }
+        let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
         let answer = answer.iter().map(String::as_str);
-        let error = error.as_deref().unwrap_or("");
-        output.row(echo::values(record, &echoed).chain(answer).chain([error]))?;
+        output.row(echo.chain(answer).chain([error.as_deref().unwrap_or("")]))?;
     }
     output.finish()?;
     Ok(())

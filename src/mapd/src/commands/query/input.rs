@@ -1,6 +1,6 @@
-//! How questions are read: CSV whose rows are bounded and no longer than the header, and whose quotes are closed.
+//! How questions are read: CSV whose rows are bounded, and whose quotes are closed.
 //!
-//! The crate takes a file's end for the end of a quote, and a row of any length. All of this is looked at on the way to it.
+//! The crate takes a file's end for the end of a quote, and a row of any length. Both are looked at on the way to it.
 
 use std::io::{self, Read};
 use thiserror::Error;
@@ -22,14 +22,6 @@ pub(in crate::commands) enum InputError {
     TooLong {
         /// Where it begins, from 1.
         line: u64,
-    },
-    /// A row with values that belong to no column.
-    #[error("line {line}: the row has more fields than the header, which has {columns}")]
-    Fields {
-        /// Where it begins, from 1.
-        line: u64,
-        /// Fields of the header.
-        columns: usize,
     },
 }
 
@@ -97,10 +89,6 @@ struct At {
     lines: u64,
     /// Bytes of this row until here.
     row: usize,
-    /// Commas between this row's fields until here.
-    commas: usize,
-    /// Those of the header, once it is read.
-    header: Option<usize>,
     /// Line ends before this row.
     row_line: u64,
     /// Line ends before the last quote that opened.
@@ -119,10 +107,6 @@ impl At {
             self.step(*byte);
             if self.row > LONGEST_ROW {
                 return (i, Some(InputError::TooLong { line: self.row_line + 1 }));
-            }
-            if let Some(header) = self.header.filter(|header| self.commas > *header) {
-                let (line, columns) = (self.row_line + 1, header + 1);
-                return (i, Some(InputError::Fields { line, columns }));
             }
         }
         (bytes.len(), None)
@@ -144,16 +128,9 @@ impl At {
             }
             (Field::Quoted, b'"') => Field::Closed,
             (Field::Quoted, _) | (Field::Closed, b'"') => Field::Quoted,
-            (_, b',') => {
-                self.commas += 1;
-                Field::Start
-            }
+            (_, b',') => Field::Start,
             (_, b'\n' | b'\r') => {
-                // Empty lines are no rows.
-                if self.row > 1 {
-                    self.header.get_or_insert(self.commas);
-                }
-                (self.row, self.commas) = (0, 0);
+                self.row = 0;
                 Field::Start
             }
             _ => Field::Plain,

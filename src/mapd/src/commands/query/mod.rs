@@ -1,13 +1,12 @@
 //! `mapd query`: CSV in, CSV out.
 //!
-//! Columns are found by name. The input's columns are echoed first, under another name where the answer has one of theirs; then
-//! come the answer's columns and `error`, which is empty where the row has an answer. Kinds that list things give a row for each
-//! of them, none where there are none. Numbers are in shortest round-trip form.
+//! Columns are found by name. The input's columns are echoed first, except those that the answer itself has; then come
+//! the answer's columns and `error`, which is empty where the row has an answer. Kinds that list things give a row for each of
+//! them, none where there are none. Numbers are in shortest round-trip form.
 
 mod besides;
 pub(super) mod command;
 pub(super) mod earth;
-pub(super) mod echo;
 mod heeded;
 mod holes;
 pub(super) mod input;
@@ -80,8 +79,8 @@ pub struct Asking<'a> {
 
 /// Answers every row of `input`.
 ///
-/// Errors: missing columns; a lane to avoid that there is not; a quote that is not closed, a row beyond 1 MiB or with more
-/// fields than the header; reading or writing fails.
+/// Errors: missing columns; a lane to avoid that there is not; a quote that is not closed, a row beyond 1 MiB;
+/// reading or writing fails.
 pub fn run(
     map: Map<'_>,
     kind: Kind,
@@ -131,9 +130,11 @@ pub fn run_under(
     if tells_holes {
         answers.push(HOLES);
     }
-    let echoed = echo::names(&headers, &answers);
-    let head = echoed.iter().map(String::as_str).chain(answers.iter().copied());
-    writer.head(head.chain([echo::ERROR]))?;
+    let echoed: Vec<usize> = (0..headers.len())
+        .filter(|i| !answers.contains(&&headers[*i]) && &headers[*i] != "error")
+        .collect();
+    let head = echoed.iter().map(|i| &headers[*i]).chain(answers.iter().copied()).chain(["error"]);
+    writer.head(head)?;
     let mut record = csv::StringRecord::new();
     let mut answer = Vec::new();
     let mut tools = Tools {
@@ -163,7 +164,7 @@ pub fn run_under(
         }
         let error = error.unwrap_or_default();
         for one in answer.chunks(kind.answers().len()) {
-            let echo = echo::values(&record, &echoed);
+            let echo = echoed.iter().map(|i| record.get(*i).unwrap_or(""));
             let last = tells_holes.then_some(lacks.as_str()).into_iter().chain([error.as_str()]);
             writer.row(echo.chain(one.iter().map(String::as_str)).chain(last))?;
         }

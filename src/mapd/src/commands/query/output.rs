@@ -1,6 +1,5 @@
 //! How answers are written: CSV, or one JSON array with an object for each row.
 
-use super::echo::INPUT;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
 
@@ -158,8 +157,7 @@ fn json(name: &str, value: &str) -> String {
     if value.is_empty() {
         return "null".to_owned();
     }
-    let is_number = NUMBERS.contains(&name.trim_start_matches(INPUT))
-        && value.parse::<f64>().is_ok_and(f64::is_finite);
+    let is_number = NUMBERS.contains(&name) && value.parse::<f64>().is_ok_and(f64::is_finite);
     match serde_json::from_str::<serde_json::Number>(value) {
         Ok(_) if is_number => value.to_owned(),
         _ => quoted(value),
