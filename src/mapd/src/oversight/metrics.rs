@@ -153,7 +153,8 @@ mod tests {
     #[test]
     fn every_line_is_a_metric_and_names_are_escaped() {
         let served = GenerationStatus { generation: 7, bytes: 100, ..GenerationStatus::default() };
-        let mut map = MapState { name: "a".into(), served: Some(served), ..MapState::default() };
+        let (name, subscribers) = ("a".into(), Some(2));
+        let mut map = MapState { name, served: Some(served), subscribers, ..MapState::default() };
         map.scrubs.succeeded(Duration::from_millis(250));
         map.scrubs.failed("bad".into());
         let status = DaemonStatus { maps: vec![map], ..DaemonStatus::default() };
@@ -164,7 +165,7 @@ mod tests {
             "mapd_checks_total{map=\"a\",check=\"scrub\",result=\"ok\"} 1",
             "mapd_checks_total{map=\"a\",check=\"scrub\",result=\"failed\"} 1",
             "mapd_check_seconds{map=\"a\",check=\"scrub\",result=\"ok\"} 0.25",
-            "# TYPE mapd_map_clients gauge",
+            "mapd_map_clients{map=\"a\"} 2.0",
             "# EOF",
         ] {
             assert!(text.lines().any(|l| l == line), "{line} is missing in\n{text}");

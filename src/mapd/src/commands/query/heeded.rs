@@ -5,8 +5,11 @@ use crate::exit::UsageError;
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 
+/// Whether a kind heeds an option.
+type Heeds = fn(Kind) -> bool;
+
 /// The options that only some kinds heed, by the names of their fields.
-const OPTIONS: [(&str, fn(Kind) -> bool); 13] = [
+const OPTIONS: [(&str, Heeds); 13] = [
     ("radius", |kind| matches!(kind, Kind::Nearest | Kind::NearestMarks)),
     ("types", |kind| matches!(kind, Kind::Nearest | Kind::Match | Kind::NearestMarks)),
     ("z_tolerance", |kind| matches!(kind, Kind::Nearest | Kind::Match)),
