@@ -90,7 +90,8 @@ impl<'a> Lane<'a> {
     }
 
     /// Both edges at a place.
-    #[inline]
+    // There once, as the next one: many places ask.
+    #[inline(never)]
     pub(crate) fn edges(&self, at: At) -> LaneEdges {
         let read = |records| profile::value(records, at);
         let beside = |edge, sign, width| edge + sign * if width > 0.0 { width } else { 0.0 };
@@ -99,7 +100,7 @@ impl<'a> Lane<'a> {
     }
 
     /// Both edges at a place with their growth along s.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn edge_slopes(&self, at: At) -> EdgeSlopes {
         let read = |records| profile::slope(records, at);
         let beside = |edge: Slope, sign, width: Slope| {
