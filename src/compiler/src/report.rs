@@ -1,11 +1,14 @@
 //! What a compilation yields besides rows.
 
-use crate::quarantine::{Cause, Exclusions, PartKind, QuarantinedPart, Unit, Units, is_outside};
+use crate::findings::reading::{
+    for_each_about, innermost, is_about_curve, is_small, is_unreadable, raise, without_message,
+};
+use crate::quarantine::{Cause, Exclusions, QuarantinedPart, Unit, Units, is_outside};
 use mapd_archive::{Provenance, Rows};
 use mapd_rules::Settings;
-use mapd_rules::catalog::{COMPUTABLE, building};
+use mapd_rules::catalog::building;
 use mapd_xodr::source::Places;
-use mapd_xodr::{CountedFinding, Finding, Item, Severity, Span, rule_ids};
+use mapd_xodr::{CountedFindings, Finding, Item, Severity, rule_ids};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -200,12 +203,12 @@ impl Collector {
     /// read on, or if the compiler finds the very thing unusable; then it stands for the compiler's finding. So does an error of the
     /// rule on curves. Where either is graded milder or switched off, the compiler's finding says why a part is left out.
     ///
-    /// What concerns parts that are left out already is no longer looked at. An error that is only counted stands for the compiler's, too, which then
-    /// is told in its place and does not count once more.
+    /// What concerns parts that are left out already is no longer looked at. An error that is only counted does the same, but is not told: the
+    /// compiler's is told in its place, and does not count once more.
     pub(crate) fn add_read(
         &mut self,
         read: Vec<Finding>,
-        counted: Vec<CountedFinding>,
+        counted: &CountedFindings,
         built: Vec<Finding>,
         places: &Places,
         without: &Exclusions,
@@ -214,26 +217,21 @@ impl Collector {
             built.into_iter().partition(|finding| finding.rule == building::UNUSABLE.id);
         unusable.sort_by_key(|finding| finding.span.start);
         let mut explained = vec![false; unusable.len()];
-        let counted = if unusable.is_empty() { Vec::new() } else { counted };
-        for one in counted {
-            let mut finding = without_text(one);
-            let unit = self.units.of(finding.span.start);
-            raise(&mut finding, unit.is_some_and(is_small));
-            if let Some(finding) = self.settings.graded(finding) {
-                for_each_about(&finding, &mut unusable, |_, unusable| unusable.count = 0);
+        for one in counted.iter() {
+            let tag = one.tag;
+            let Some((finding, is_small)) = self.about_part(without_message(one), without) else {
+                continue;
+            };
+            for_each_about(&finding, &mut unusable, |_, unusable| unusable.count = 0);
+            if finding.severity == Severity::Error && is_small && is_unreadable(tag, &finding) {
+                self.count_cause(finding, places);
             }
         }
-        for mut finding in read {
-            let unit = self.units.of(finding.span.start).filter(|_| !is_outside(&finding));
-            if !without.is_empty() && unit.is_some_and(|unit| self.is_left_out(unit, without)) {
-                continue;
-            }
-            let is_small = unit.is_some_and(is_small);
-            raise(&mut finding, is_small);
-            let Some(finding) = self.settings.graded(finding) else { continue };
+        for finding in read {
+            let Some((finding, is_small)) = self.about_part(finding, without) else { continue };
             let is_error = finding.severity == Severity::Error;
             let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
-            rejects |= is_error && is_small && is_unreadable(&finding);
+            rejects |= is_error && is_small && is_unreadable(innermost(&finding.path), &finding);
             for_each_about(&finding, &mut unusable, |at, _| {
                 explained[at] = true;
                 rejects = true;
@@ -246,6 +244,21 @@ impl Collector {
             }
         }
         self.add(built, places);
+    }
+
+    /// One of the reader's findings as it is graded, and whether it is about an object or a signal; none if it is off, or about what is left out.
+    fn about_part(
+        &mut self,
+        mut finding: Finding,
+        without: &Exclusions,
+    ) -> Option<(Finding, bool)> {
+        let unit = self.units.of(finding.span.start).filter(|_| !is_outside(&finding));
+        if !without.is_empty() && unit.is_some_and(|unit| self.is_left_out(unit, without)) {
+            return None;
+        }
+        let is_small = unit.is_some_and(is_small);
+        raise(&mut finding, is_small);
+        Some((self.settings.graded(finding)?, is_small))
     }
 
     /// Whether a part, or one that it is in, is left out already.
@@ -294,12 +307,22 @@ impl Collector {
             let place = places.place(finding.span.start);
             let (line, column) = (place.position.line, place.position.column);
             if rejects {
-                let (rule, start) = (finding.rule, finding.span.start);
-                let message = finding.message.clone();
-                let (file, is_outside) = (place.file.clone(), is_outside(&finding));
-                self.causes.push(Cause { rule, start, message, file, line, column, is_outside });
+                self.causes.push(Cause::new(&finding, &place));
             }
             self.diagnostics.push(Diagnostic { finding, rejects, file: place.file, line, column });
+        }
+    }
+
+    /// An error that is counted elsewhere takes out a part.
+    fn count_cause(&mut self, finding: Finding, places: &Places) {
+        if self.is_consequence(&finding) {
+            return;
+        }
+        let kept = self.rejecting < KEPT;
+        self.lacks_errors |= !kept;
+        self.rejecting += 1;
+        if kept {
+            self.causes.push(Cause::new(&finding, &places.place(finding.span.start)));
         }
     }
 
@@ -342,78 +365,4 @@ impl Collector {
         };
         (compilation, self.causes, self.units)
     }
-}
-
-/// Whether a part is small enough to be left out where one of its values cannot be read.
-fn is_small(unit: Unit) -> bool {
-    matches!(unit.kind, PartKind::Object | PartKind::Signal)
-}
-
-/// An empty place of an object or signal is an error.
-fn raise(finding: &mut Finding, is_small: bool) {
-    if is_small && finding.rule == rule_ids::EMPTY && is_place(finding) {
-        finding.severity = Severity::Error;
-    }
-}
-
-/// A finding that is only counted, as one.
-fn without_text(counted: CountedFinding) -> Finding {
-    let CountedFinding { rule, severity, start, subject } = counted;
-    let (span, subject) = (Span { start, len: 0 }, (*subject).into());
-    let (path, message, hint) = (String::new(), String::new(), String::new());
-    Finding { rule, severity, span, path, subject, message, hint, count: 0 }
-}
-
-/// Does something to each of the compiler's findings, which are in file order, that an error of the reader's is about; with its number.
-fn for_each_about(
-    read: &Finding,
-    unusable: &mut [Finding],
-    mut each: impl FnMut(usize, &mut Finding),
-) {
-    // Start tags do not overlap: it can only be about the one that begins last before it.
-    let after = unusable.partition_point(|one| one.span.start <= read.span.start);
-    let tag = after.checked_sub(1).and_then(|last| unusable.get(last)).map(|one| one.span);
-    let first = unusable.partition_point(|one| Some(one.span.start) < tag.map(|t| t.start));
-    for (at, one) in unusable.iter_mut().enumerate().take(after).skip(first) {
-        if read.severity == Severity::Error && is_about(read, one) {
-            each(at, one);
-        }
-    }
-}
-
-/// Elements of an object that neither place nor shape it: a value in one of them hinders nothing else.
-const BESIDE_THE_SHAPE: [&str; 6] =
-    ["marking", "cornerReference", "border", "material", "parkingSpace", "CRG"];
-/// Attributes that name what is there all the same.
-const NAMES: [&str; 2] = ["id", "outlineId"];
-
-/// Whether an object or signal cannot be used for what it says: a value that places or shapes it, or that it shows, cannot be
-/// read, or it has no place.
-fn is_unreadable(read: &Finding) -> bool {
-    match read.rule {
-        rule_ids::VALUE | rule_ids::FINITE => {
-            let element = read.path.rsplit('/').next().unwrap_or_default();
-            let element = element.split('[').next().unwrap_or_default();
-            !BESIDE_THE_SHAPE.contains(&element) && !NAMES.contains(&&*read.subject)
-        }
-        rule_ids::MISSING | rule_ids::EMPTY => is_place(read),
-        _ => false,
-    }
-}
-
-/// Whether a finding is about a place along a road.
-fn is_place(read: &Finding) -> bool {
-    matches!(&*read.subject, "s" | "t")
-}
-
-/// Whether a finding of the reader's is about what the compiler finds unusable.
-fn is_about(read: &Finding, unusable: &Finding) -> bool {
-    let tag = unusable.span.start..unusable.span.start + u64::from(unusable.span.len);
-    tag.contains(&{ read.span.start }) && read.subject == unusable.subject
-}
-
-/// Whether a rule says of a geometry, as an error, what the compiler finds: that it is no curve.
-fn is_about_curve(found: &Finding, unusable: &Finding) -> bool {
-    let is_error = found.rule == COMPUTABLE && found.severity == Severity::Error;
-    is_error && unusable.subject.is_empty() && found.span.start == unusable.span.start
 }

@@ -4,9 +4,10 @@
 //! been read: an end tag may stand in a comment. A batch counts if those before it ended between two elements and it does
 //! itself; from the first on that does not, the document is read on as one.
 
+use crate::counted::CountedFindings;
 use crate::cursor::{Cursor, Name, NextChild, Open, Scope};
 use crate::extension::Extension;
-use crate::finding::{CountedFinding, Span};
+use crate::finding::Span;
 use crate::findings::{Counts, Findings, KeptFinding};
 use crate::generated::{Item, read_document};
 use crate::limits::Limits;
@@ -193,7 +194,7 @@ pub(crate) struct ReadPart {
     pub(crate) slot: Option<usize>,
     pub(crate) part: RootChild,
     pub(crate) findings: Vec<KeptFinding>,
-    pub(crate) counted: Vec<CountedFinding>,
+    pub(crate) counted: CountedFindings,
     pub(crate) entered: Entered,
 }
 

@@ -6,7 +6,7 @@ use crate::checks::standard;
 use crate::element::{self, Element};
 use crate::extension::Extension;
 use crate::finding::{Finding, Severity, Span};
-use crate::findings::Findings;
+use crate::findings::{About, Findings};
 use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
 use crate::rule_ids;
@@ -478,7 +478,12 @@ impl<'a> Cursor<'a> {
     ) {
         let (frames, names, stated, version) =
             (&self.frames, &self.names, &self.stated, self.version);
-        self.findings.add(rule, severity, span, (self.kind, detail), || {
+        let tag = match frames.last() {
+            Some(OpenTag { name: Name::Known(name), .. }) => *name,
+            _ => "",
+        };
+        let about = About { element: self.kind, tag, detail };
+        self.findings.add(rule, severity, span, about, || {
             (path_of(frames, names), message(&standard(stated, version)))
         });
     }
@@ -505,7 +510,7 @@ impl<'a> Cursor<'a> {
     pub(crate) fn refuse(&mut self, rule: &'static str, start: u64, message: String) {
         let path = self.path();
         let span = Span { start, len: 0 };
-        self.findings.add(rule, Severity::Error, span, ("", ""), || (path, message));
+        self.findings.add(rule, Severity::Error, span, About::text(""), || (path, message));
         self.over = true;
     }
 

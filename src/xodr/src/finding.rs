@@ -1,7 +1,5 @@
 //! What is wrong, and where.
 
-use std::sync::Arc;
-
 /// A byte range of the decoded input.
 ///
 /// Packed to 12 bytes: millions are kept next to the data that they locate. A field cannot be borrowed, only read.
@@ -44,17 +42,4 @@ pub struct Finding {
     pub hint: String,
     /// How many findings it stands for: one, or as many as were only counted; none if another has counted it.
     pub count: u32,
-}
-
-/// A finding that was only counted, where one of building may be about the same value.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct CountedFinding {
-    /// Id of the rule that found it.
-    pub rule: &'static str,
-    /// How bad it is.
-    pub severity: Severity,
-    /// First byte of where it stands, as of a [`Span`].
-    pub start: u64,
-    /// Name of the attribute that it is about.
-    pub subject: Arc<str>,
 }

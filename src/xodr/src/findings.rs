@@ -1,7 +1,7 @@
 //! Findings as they are made: the first of each kind are kept, more are counted.
 
-use crate::finding::{CountedFinding, Finding, Severity, Span};
-use crate::rule_ids;
+use crate::counted::CountedFindings;
+use crate::finding::{Finding, Severity, Span};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -31,6 +31,26 @@ pub(crate) struct KeptFinding {
     finding: Finding,
     /// Type of the element that it is about, which is part of its kind.
     element: &'static str,
+    /// Name of that element's tag.
+    tag: &'static str,
+}
+
+/// What a finding is about.
+#[derive(Clone, Copy)]
+pub(crate) struct About<'a> {
+    /// Type of the element; empty where it is about none.
+    pub(crate) element: &'static str,
+    /// Name of the element's tag; empty where it is about none of the schema.
+    pub(crate) tag: &'static str,
+    /// Tells findings of one rule about such elements apart.
+    pub(crate) detail: &'a str,
+}
+
+impl<'a> About<'a> {
+    /// About the text as such.
+    pub(crate) fn text(detail: &'a str) -> Self {
+        Self { element: "", tag: "", detail }
+    }
 }
 
 /// What becomes of a finding, by its number among those of its kind.
@@ -48,7 +68,7 @@ pub(crate) struct Findings {
     counts: Counts,
     more: Vec<(Kind, More)>,
     /// Those of `more` that building may run into as well.
-    counted: Vec<CountedFinding>,
+    counted: CountedFindings,
     limit: u32,
     /// Errors so far, kept or not.
     pub(crate) errors: usize,
@@ -61,7 +81,14 @@ impl Findings {
 
     /// A collector for a part of a document, with what [`Findings::used_up`] says of what stands before it.
     pub(crate) fn behind(limit: u32, counts: Counts) -> Self {
-        Self { kept: Vec::new(), counts, more: Vec::new(), counted: Vec::new(), limit, errors: 0 }
+        Self {
+            kept: Vec::new(),
+            counts,
+            more: Vec::new(),
+            counted: CountedFindings::default(),
+            limit,
+            errors: 0,
+        }
     }
 
     /// Kinds of which no more are kept, so that a collector for what comes later need not keep any: half as many as are told apart,
@@ -77,13 +104,14 @@ impl Findings {
         rule: &'static str,
         severity: Severity,
         span: Span,
-        (element, detail): (&'static str, &str),
+        about: About<'_>,
         make: impl FnOnce() -> (String, String),
     ) {
         self.errors += usize::from(severity == Severity::Error);
+        let About { element, tag, detail } = about;
         let (kind, fate) = self.fate(rule, severity, element, detail, 1);
         if !matches!(fate, FindingFate::KeptFinding) {
-            self.remember(rule, severity, span, &kind.3);
+            self.remember(rule, severity, span, (tag, detail));
         }
         match fate {
             FindingFate::KeptFinding => {
@@ -93,7 +121,7 @@ impl Findings {
                 let hint = String::new();
                 let finding =
                     Finding { rule, severity, span, path, subject, message, hint, count: 1 };
-                self.kept.push(KeptFinding { finding, element });
+                self.kept.push(KeptFinding { finding, element, tag });
             }
             FindingFate::First => {
                 let path = shown(make().0);
@@ -104,11 +132,16 @@ impl Findings {
     }
 
     /// Keeps the place of a finding that is only counted, where it says that a value is not there.
-    fn remember(&mut self, rule: &'static str, severity: Severity, span: Span, subject: &Arc<str>) {
-        if matches!(rule, rule_ids::MISSING | rule_ids::EMPTY | rule_ids::VALUE | rule_ids::FINITE)
-        {
-            let (start, subject) = (span.start, Arc::clone(subject));
-            self.counted.push(CountedFinding { rule, severity, start, subject });
+    fn remember(
+        &mut self,
+        rule: &'static str,
+        severity: Severity,
+        span: Span,
+        (tag, detail): (&'static str, &str),
+    ) {
+        if CountedFindings::takes(rule) {
+            let subject = Arc::from(shorten(detail, DETAIL_BYTES));
+            self.counted.push((rule, severity, tag, subject), span.start);
         }
     }
 
@@ -159,11 +192,11 @@ impl Findings {
 
     /// Adds a finding that another collector has kept.
     pub(crate) fn add_again(&mut self, kept: KeptFinding) {
-        let KeptFinding { finding, element } = &kept;
+        let KeptFinding { finding, element, tag } = &kept;
         let (rule, severity, span) = (finding.rule, finding.severity, finding.span);
         let (kind, fate) = self.fate(rule, severity, element, &finding.subject, 1);
         if !matches!(fate, FindingFate::KeptFinding) {
-            self.remember(rule, severity, span, &kind.3);
+            self.remember(rule, severity, span, (tag, &finding.subject));
         }
         match fate {
             FindingFate::KeptFinding => self.kept.push(kept),
@@ -205,17 +238,17 @@ impl Findings {
             let More { span, path, count } = more;
             let (subject, hint) = ((&*detail).into(), String::new());
             let finding = Finding { rule, severity, span, path, subject, message, hint, count };
-            self.kept.push(KeptFinding { finding, element });
+            self.kept.push(KeptFinding { finding, element, tag: "" });
         }
     }
 
     /// Takes what was only counted, and says that a value is not there.
-    pub(crate) fn take_counted(&mut self) -> Vec<CountedFinding> {
+    pub(crate) fn take_counted(&mut self) -> CountedFindings {
         std::mem::take(&mut self.counted)
     }
 
     /// What [`Findings::take_counted`] takes is from here on what another collector had for it, and what is found then.
-    pub(crate) fn set_counted(&mut self, counted: Vec<CountedFinding>) {
+    pub(crate) fn set_counted(&mut self, counted: CountedFindings) {
         self.counted = counted;
     }
 

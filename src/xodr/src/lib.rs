@@ -22,6 +22,7 @@
 mod attribute;
 mod batch;
 mod checks;
+mod counted;
 mod cursor;
 mod element;
 mod extension;
@@ -49,8 +50,9 @@ mod written;
 
 pub use attribute::{Attribute, PositionOrEnd, SpeedLimit, Text, Value};
 pub use batch::{Batch, Context, Cutter, ReadBatch, RestOfDocument};
+pub use counted::{CountedFinding, CountedFindings};
 pub use extension::{Extension, ExtensionElement, ExtensionKind, Extensions};
-pub use finding::{CountedFinding, Finding, Severity, Span};
+pub use finding::{Finding, Severity, Span};
 pub use generated::*;
 pub use limits::Limits;
 pub use patch::{LONGEST_PATCH, Patch, PatchError, PatchedId, PatchedKind};

@@ -2,6 +2,7 @@
 
 use crate::cursor::{Cursor, Markup, Name, OpenTag, RawAttribute, Scope, Tag, path_of};
 use crate::finding::{Severity, Span};
+use crate::findings::About;
 use crate::rule_ids;
 use crate::same::{same, without_prefix};
 use crate::source::Places;
@@ -189,7 +190,7 @@ impl Cursor<'_> {
         let detail = format!("{fault:?}");
         let span = Span { start, len: 1 };
         let (frames, names) = (&self.frames, &self.names);
-        self.findings.add(rule, fault.severity(), span, ("", &detail), || {
+        self.findings.add(rule, fault.severity(), span, About::text(&detail), || {
             (path_of(frames, names), fault.to_string())
         });
     }

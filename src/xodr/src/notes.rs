@@ -2,6 +2,7 @@
 
 use crate::cursor::{Cursor, Markup, Scope};
 use crate::finding::{Severity, Span};
+use crate::findings::About;
 use crate::markup::Text;
 use crate::rule_ids;
 use crate::source::{IncludeRefusal, Note, NoteKind, Places, RefusalKind};
@@ -39,7 +40,7 @@ impl Cursor<'_> {
             };
             let span = Span { start: Places::start(file, note.start), len: note.len };
             let message = note.kind.to_string();
-            self.findings.add(rule, severity, span, ("", ""), || (String::new(), message));
+            self.findings.add(rule, severity, span, About::text(""), || (String::new(), message));
         }
     }
 

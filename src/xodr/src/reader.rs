@@ -3,9 +3,10 @@
 use crate::batch::{
     Batch, Context, ContextData, Cutter, Entered, ReadBatch, ReadPart, RestOfDocument, RootChild,
 };
+use crate::counted::CountedFindings;
 use crate::cursor::{Cursor, Markup, NextChild, Open};
 use crate::extension::{Extension, Extensions};
-use crate::finding::{CountedFinding, Finding, Severity, Span};
+use crate::finding::{Finding, Severity, Span};
 use crate::findings::{Findings, KeptFinding};
 use crate::generated::{Item, read_document, schema_document};
 use crate::limits::{ELEMENT_BYTES, Limits};
@@ -52,7 +53,7 @@ pub enum Delivered {
 /// A step of what was read ahead.
 enum Accepted {
     /// A child of the root, and what was found about it.
-    Child(RootChild, (Vec<KeptFinding>, Vec<CountedFinding>), Option<Misplaced>),
+    Child(RootChild, (Vec<KeptFinding>, CountedFindings), Option<Misplaced>),
     /// The batch has ended.
     Rest(Findings),
 }
@@ -105,7 +106,7 @@ impl<'a> Reader<'a> {
         reason = "an iterator could not be asked for findings in between"
     )]
     pub fn next(&mut self) -> io::Result<Option<Item>> {
-        self.cursor.findings.set_counted(Vec::new());
+        self.cursor.findings.set_counted(CountedFindings::default());
         if matches!(self.state, State::BeforeRoot) {
             self.root();
         }
@@ -127,7 +128,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Takes what was only counted about the item that was handed out last, and says of an attribute that its value is not there.
-    pub fn take_counted(&mut self) -> Vec<CountedFinding> {
+    pub fn take_counted(&mut self) -> CountedFindings {
         self.cursor.findings.take_counted()
     }
 

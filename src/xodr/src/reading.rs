@@ -3,6 +3,7 @@
 use crate::attribute::{Attribute, Enumeration, PositionOrEnd};
 use crate::cursor::{Current, Cursor};
 use crate::finding::{Severity, Span};
+use crate::findings::About;
 use crate::generated::schema_words::{COUNTRY_CODE, ROAD_END};
 use crate::rule_ids;
 use crate::same::same;
@@ -389,8 +390,8 @@ impl Cursor<'_> {
             // What is none is worse than one that is not known.
             let is_stated = [&major, &minor].map(|number| number.trim().parse::<u16>().is_ok());
             let severity = if is_stated == [true; 2] { Severity::Warning } else { Severity::Error };
-            self.findings
-                .add(rule_ids::VERSION, severity, span, ("Header", "revMinor"), || (path, message));
+            let about = About { element: "Header", tag: "header", detail: "revMinor" };
+            self.findings.add(rule_ids::VERSION, severity, span, about, || (path, message));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use mapd_tests::{carried, corpus, say};
 use mapd_xodr::source::{Inputs, Places};
-use mapd_xodr::{Finding, Item, Limits, Reader, RestOfDocument};
+use mapd_xodr::{CountedFinding, Finding, Item, Limits, Reader, RestOfDocument};
 use std::path::Path;
 
 /// Everything that a reader yields: items, each with the findings up to it, and those at the end.
@@ -10,6 +10,8 @@ use std::path::Path;
 struct Yield {
     items: Vec<(Item, Vec<Finding>)>,
     rest: Vec<Finding>,
+    /// What is only counted about items.
+    counted: Vec<CountedFinding>,
     extensions: usize,
     error: Option<String>,
     /// Whether a batch was taken as it was read by itself.
@@ -40,13 +42,17 @@ fn one_by_one(mut reader: Reader<'_>) -> Yield {
     let mut all = Yield {
         items: Vec::new(),
         rest: Vec::new(),
+        counted: Vec::new(),
         extensions: 0,
         error: None,
         accepted: Same(0),
     };
     loop {
         match reader.next() {
-            Ok(Some(item)) => all.items.push((item, reader.take_findings())),
+            Ok(Some(item)) => {
+                all.items.push((item, reader.take_findings()));
+                all.counted.extend(reader.take_counted().iter());
+            }
             Ok(None) => break,
             Err(error) => {
                 all.error = Some(error.to_string());
@@ -61,10 +67,11 @@ fn one_by_one(mut reader: Reader<'_>) -> Yield {
 
 /// Reads in batches of at least so many bytes, the header apart; always so many are cut before one is read.
 fn in_batches(mut reader: Reader<'_>, bytes: usize) -> Yield {
-    let mut items = Vec::new();
+    let (mut items, mut counted) = (Vec::new(), Vec::new());
     while let Ok(Some(item)) = reader.next() {
         let is_header = matches!(item, Item::Header(_));
         items.push((item, reader.take_findings()));
+        counted.extend(reader.take_counted().iter());
         if is_header {
             break;
         }
@@ -84,13 +91,15 @@ fn in_batches(mut reader: Reader<'_>, bytes: usize) -> Yield {
             accepted += 1;
             while let Some(item) = reader.accepted() {
                 items.push((item, reader.take_findings()));
+                counted.extend(reader.take_counted().iter());
             }
         }
         reader.go_on(refused.into_iter().chain(cut), cutter);
     }
     let rest = one_by_one(reader);
     items.extend(rest.items);
-    Yield { items, accepted: Same(accepted), ..rest }
+    counted.extend(rest.counted);
+    Yield { items, counted, accepted: Same(accepted), ..rest }
 }
 
 /// Findings between two elements may come with the one or the other: those of all elements, by place.
@@ -99,6 +108,13 @@ fn placed(all: &Yield) -> Vec<&Finding> {
     let mut findings: Vec<_> = of_items.chain(&all.rest).collect();
     findings.sort_by_key(|finding| finding.span.start);
     findings
+}
+
+/// What is only counted, by place.
+fn counted(all: &Yield) -> Vec<&CountedFinding> {
+    let mut counted: Vec<_> = all.counted.iter().collect();
+    counted.sort_by_key(|one| (one.start, one.rule, &one.subject));
+    counted
 }
 
 /// Compares for batches of several sizes; yields how many were taken.
@@ -113,6 +129,7 @@ fn check(name: &str, text: &[u8], folder: Option<&Path>, limits: Limits) -> usiz
             assert_eq!(found, expected, "{name}, batches of {bytes} bytes");
         }
         assert_eq!(placed(&found), placed(&expected), "{name}, batches of {bytes} bytes");
+        assert_eq!(counted(&found), counted(&expected), "{name}, batches of {bytes} bytes");
         assert_eq!(found.extensions, expected.extensions, "{name}");
         assert_eq!(found.error, expected.error, "{name}");
         accepted += found.accepted.0;
@@ -186,6 +203,8 @@ fn odd_documents_read_in_batches_are_the_same() {
         accepted += check(name, text.as_bytes(), None, Limits::default());
         let tight = Limits { tag_bytes: 64, text_bytes: 64, item_bytes: 2000, ..Limits::default() };
         check(name, text.as_bytes(), None, tight);
+        let few = Limits { findings_of_a_kind: 1, ..Limits::default() };
+        check(name, text.as_bytes(), None, few);
         for cut in [text.len() - 20, text.len() / 2, text.len() / 2 + 7] {
             check(name, text.as_bytes().get(..cut).expect("a part"), None, Limits::default());
         }

@@ -10,6 +10,8 @@ mod building;
 mod check;
 // The maps of CARLA, esmini and RoadRunner have no errors but those that docs/checks.md justifies.
 mod clean_maps;
+// How many findings are kept does not decide what is left out.
+mod counted_parts;
 // Cycles that a map must not have are errors like others: the policy decides what is left out for them.
 mod cycles;
 // What the command line says and does about a map that lost parts.

@@ -1,5 +1,6 @@
 //! Findings of the compiler's own.
 
+pub(crate) mod reading;
 mod too_large;
 
 pub(crate) use too_large::{TooLarge, too_large, too_many_ids, too_many_overlaps, unfit};

@@ -16,7 +16,7 @@ use hashing::HashingReader;
 use mapd_archive::{Provenance, Rows};
 use mapd_rules::Checker;
 use mapd_xodr::source::{Inputs, Places};
-use mapd_xodr::{Item, Reader};
+use mapd_xodr::{CountedFindings, Item, Reader};
 use part::{Element, Plan};
 use std::collections::VecDeque;
 use std::io::{self, Read};
@@ -238,7 +238,7 @@ fn read(
                     collector.append_units(part.units);
                     draft.append(part.draft);
                     elements = part.elements;
-                    collector.add_read(read, counted, checked, &places, without);
+                    collector.add_read(read, &counted, checked, &places, without);
                     continue;
                 }
                 Next::Lowered => {
@@ -263,7 +263,7 @@ fn read(
                     }
                 }
             }
-            collector.add_read(read, counted, checked, &places, without);
+            collector.add_read(read, &counted, checked, &places, without);
             let (bytes, roads) = (stream.reader.bytes_read(), roads.unwrap_or(draft.roads()));
             progress(Progress::Reading { bytes, roads });
         }
@@ -295,7 +295,13 @@ fn read(
         late.push(too_many_overlaps());
     }
     let network = checker.end(whole, examined);
-    collector.add_read(read, Vec::new(), checker.take_findings(), &places, without);
+    collector.add_read(
+        read,
+        &CountedFindings::default(),
+        checker.take_findings(),
+        &places,
+        without,
+    );
     if lacks_ids {
         late.push(too_many_ids());
     }

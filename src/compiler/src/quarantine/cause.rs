@@ -1,5 +1,6 @@
 //! Why something is left out.
 
+use mapd_xodr::source::SourceLocation;
 use mapd_xodr::{Finding, rule_ids};
 use std::sync::Arc;
 
@@ -24,6 +25,14 @@ pub(crate) fn is_outside(finding: &Finding) -> bool {
 }
 
 impl Cause {
+    /// As a finding tells it, which stands at a place.
+    pub(crate) fn new(finding: &Finding, place: &SourceLocation) -> Self {
+        let (rule, start, message) = (finding.rule, finding.span.start, finding.message.clone());
+        let (line, column) = (place.position.line, place.position.column);
+        let (file, is_outside) = (place.file.clone(), is_outside(finding));
+        Self { rule, start, message, file, line, column, is_outside }
+    }
+
     /// Whether leaving something out would help: not where the document cannot be read on, or nobody knows what is missing.
     pub(crate) fn can_be_left_out(&self) -> bool {
         !self.is_outside
