@@ -34,6 +34,7 @@ mod faults;
 mod findings;
 mod joining;
 mod oversight;
+mod printable;
 mod program;
 pub mod progress;
 pub mod report;

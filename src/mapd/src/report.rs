@@ -1,6 +1,7 @@
 //! What a compilation found: as text for people, as JSON for programs.
 
 use crate::colour::Colours;
+use crate::printable::printable;
 use mapd_compiler::{Compilation, Diagnostic, QuarantinedPart, Treatment, Verdict};
 pub use mapd_transport::hex;
 use mapd_xodr::source::Places;
@@ -205,12 +206,13 @@ pub fn print(file: &str, compiled: &Compilation) {
             let f = &d.finding;
             let name = colours.severity(severity, severity_name(severity));
             let (file, line, column) = (place(file, d), d.line, d.column);
-            let _ = writeln!(err, "{file}:{line}:{column}: {name}[{}]: {}", f.rule, f.message);
+            let (file, message) = (printable(file), printable(&f.message));
+            let _ = writeln!(err, "{file}:{line}:{column}: {name}[{}]: {message}", f.rule);
             if !f.path.is_empty() {
-                let _ = writeln!(err, "    at {}", f.path);
+                let _ = writeln!(err, "    at {}", printable(&f.path));
             }
             if !f.hint.is_empty() {
-                let _ = writeln!(err, "    hint: {}", f.hint);
+                let _ = writeln!(err, "    hint: {}", printable(&f.hint));
             }
         }
         let more = count.saturating_sub(told.iter().map(|d| d.finding.count as usize).sum());
@@ -236,7 +238,7 @@ pub fn print(file: &str, compiled: &Compilation) {
                     "{file}:{}:{}: {} is {}: {}",
                     part.line,
                     part.column,
-                    part.name(),
+                    printable(&part.name()),
                     treated(part.treatment),
                     part.rule
                 );

@@ -3,7 +3,7 @@
 use crate::checker::is_left_out;
 use crate::examiner::RuleOutcome;
 use crate::rule::{Minor, Rule};
-use mapd_xodr::{Finding, Severity, Span};
+use mapd_xodr::{Finding, Severity, Span, shorten_id, shorten_message};
 use std::fmt::{self, Write as _};
 
 /// What tells an element from others of its name.
@@ -30,7 +30,7 @@ fn write_path(steps: &[PathSegment<'_>], part: &str) -> String {
         // Writing to a string cannot fail.
         let _ = match key {
             Key::None => write!(path, "/{name}"),
-            Key::Id(id) => write!(path, "/{name}[@id={id}]"),
+            Key::Id(id) => write!(path, "/{name}[@id={}]", shorten_id(id)),
             Key::Lane(id) => write!(path, "/{name}[@id={id}]"),
             Key::S(s) => write!(path, "/{name}[@s={s}]"),
         };
@@ -154,9 +154,9 @@ impl Sink<'_> {
             }
             return;
         }
-        let message = format!("expected {expected}, found {found}");
+        let message = shorten_message(format!("expected {expected}, found {found}"));
         let rule = self.rule.id;
-        let (path, subject, hint) = (path(), "".into(), String::new());
+        let (path, subject, hint) = (shorten_message(path()), "".into(), String::new());
         let finding = Finding { rule, severity, span, path, subject, message, hint, count: 1 };
         self.out.push((self.rank, RuleOutcome::Finding(finding)));
     }

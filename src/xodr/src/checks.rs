@@ -48,7 +48,7 @@ impl Cursor<'_> {
     }
 
     /// An attribute of the tag by its name.
-    fn find_attribute(&self, name: &str) -> Option<RawAttribute> {
+    pub(crate) fn find_attribute(&self, name: &str) -> Option<RawAttribute> {
         self.tag.attributes.iter().copied().find(|raw| self.bytes(raw.name) == name.as_bytes())
     }
 
@@ -62,6 +62,7 @@ impl Cursor<'_> {
     /// An attribute twice in one tag.
     #[cold]
     pub(crate) fn twice(&mut self, raw: RawAttribute) {
+        self.find_key();
         let start = self.element.start + u64::from(raw.name.0);
         self.fault(start, Fault::Duplicate);
     }
@@ -69,6 +70,7 @@ impl Cursor<'_> {
     /// An attribute that the schema does not have in this element.
     #[cold]
     pub(crate) fn other_attribute(&mut self, raw: RawAttribute) {
+        self.find_key();
         let name = self.bytes(raw.name);
         let same = self.tag.attributes.iter().filter(|other| self.bytes(other.name) == name);
         if same.take_while(|other| other.name != raw.name).count() > 0 {
@@ -216,7 +218,7 @@ impl Cursor<'_> {
         let children = open.schema.children;
         let standard = self.standard();
         self.element = open.span;
-        self.kind = open.schema.name;
+        self.kind = open.schema;
         for slot in bits(missing) {
             let Some(child) = children.get(slot).filter(|c| self.is_for(open, c.when)) else {
                 continue;

@@ -5,7 +5,7 @@
 use crate::checks::standard;
 use crate::element::{self, Element};
 use crate::extension::Extension;
-use crate::finding::{Finding, Severity, Span};
+use crate::finding::{Finding, KEY_BYTES, Severity, Span, shorten_id};
 use crate::findings::{About, Findings};
 use crate::limits::{ELEMENT_BYTES, Limits};
 use crate::markup::Text;
@@ -13,6 +13,7 @@ use crate::rule_ids;
 use crate::same::{same, without_prefix};
 use crate::schema::{AttributeSchema, Choice, ElementSchema};
 use crate::source::Inputs;
+use crate::values;
 use crate::well_formed::Structure;
 use crate::window::{Stop, Window};
 use std::io;
@@ -127,7 +128,7 @@ pub(crate) struct Cursor<'a> {
     pub(crate) schema: &'static AttributeSchema,
     pub(crate) element: Span,
     /// Type of the element that is being read.
-    pub(crate) kind: &'static str,
+    pub(crate) kind: &'static ElementSchema,
     /// Rank of the version that is checked against.
     pub(crate) version: usize,
     /// The version as the file states it.
@@ -168,13 +169,22 @@ pub(crate) enum Scope {
     Abandoned,
 }
 
+/// What is read where no element is.
+static NO_ELEMENT: ElementSchema = ElementSchema::new("", &[], &[]);
+
 /// Path of open elements, such as `OpenDRIVE/road[@id=12]/planView`.
 pub(crate) fn path_of(frames: &[OpenTag], names: &[u8]) -> String {
     /// Bytes of a name or a key that are shown.
-    const SHOWN: usize = 64;
+    const SHOWN: usize = KEY_BYTES;
     let text = |from: usize, len: usize| {
         let to = from + len.min(SHOWN);
         String::from_utf8_lossy(names.get(from..to).unwrap_or_default())
+    };
+    // A reference is longer than the character that it stands for.
+    let key_text = |from: usize, len: usize| {
+        let to = from + len.min(8 * SHOWN);
+        let raw = String::from_utf8_lossy(names.get(from..to).unwrap_or_default());
+        shorten_id(&values::text(&raw)).to_owned()
     };
     let mut path = String::new();
     for frame in frames {
@@ -186,7 +196,7 @@ pub(crate) fn path_of(frames: &[OpenTag], names: &[u8]) -> String {
             Name::Other(from, len) => path += &text(from, len),
         }
         if let Some((key, from, len)) = frame.key {
-            path += &format!("[@{key}={}]", text(from, len));
+            path += &format!("[@{key}={}]", key_text(from, len));
         }
     }
     path
@@ -204,7 +214,7 @@ impl<'a> Cursor<'a> {
             current: Current::Content,
             schema: &crate::checks::CONTENT,
             element: Span::default(),
-            kind: "",
+            kind: &NO_ELEMENT,
             version: crate::schema::COUNT - 1,
             stated: String::new(),
             frames: Vec::new(),
@@ -239,7 +249,7 @@ impl<'a> Cursor<'a> {
             self.content_start = None;
         }
         self.element = self.tag.span;
-        self.kind = schema.name;
+        self.kind = schema;
         Open {
             schema,
             span: self.tag.span,
@@ -288,7 +298,7 @@ impl<'a> Cursor<'a> {
             self.current = Current::Attribute(raw);
             self.schema = &known[slot];
             if open.schema.key == Some(slot) {
-                self.set_key(raw);
+                self.set_key(self.schema.name, raw);
             }
             return Some(slot);
         }
@@ -296,13 +306,26 @@ impl<'a> Cursor<'a> {
 
     /// Lets paths name the element by an attribute.
     #[inline(never)]
-    fn set_key(&mut self, raw: RawAttribute) {
+    fn set_key(&mut self, name: &'static str, raw: RawAttribute) {
         let (from, to) = raw.value;
         let value = self.window.token().get(from as usize..to as usize).unwrap_or_default();
         let at = self.names.len();
         self.names.extend_from_slice(value);
         if let Some(frame) = self.frames.last_mut() {
-            frame.key = Some((self.schema.name, at, value.len()));
+            frame.key = Some((name, at, value.len()));
+        }
+    }
+
+    /// Lets paths name the element whose attributes are being read, where the one that does stands behind the one that a finding is about.
+    #[cold]
+    pub(crate) fn find_key(&mut self) {
+        let schema = self.kind;
+        let name = schema.key.and_then(|slot| schema.attributes.get(slot)).map(|known| known.name);
+        let is_named = self.frames.last().is_none_or(|frame| frame.key.is_some());
+        if let Some(name) = name.filter(|_| !is_named)
+            && let Some(raw) = self.find_attribute(name)
+        {
+            self.set_key(name, raw);
         }
     }
 
@@ -326,7 +349,7 @@ impl<'a> Cursor<'a> {
         }
         loop {
             // What is found between children is the element's own, whatever was read within them.
-            self.kind = open.schema.name;
+            self.kind = open.schema;
             let text = match (open.schema.content, open.schema.any) {
                 (Some(_), _) => Text::Content,
                 (None, true) => Text::Any,
@@ -436,7 +459,7 @@ impl<'a> Cursor<'a> {
         if schema.content.is_some() {
             self.current = Current::Content;
             self.schema = &crate::checks::CONTENT;
-            self.kind = schema.name;
+            self.kind = schema;
         }
     }
 
@@ -482,7 +505,7 @@ impl<'a> Cursor<'a> {
             Some(OpenTag { name: Name::Known(name), .. }) => *name,
             _ => "",
         };
-        let about = About { element: self.kind, tag, detail };
+        let about = About { element: self.kind.name, tag, detail };
         self.findings.add(rule, severity, span, about, || {
             (path_of(frames, names), message(&standard(stated, version)))
         });

@@ -43,3 +43,27 @@ pub struct Finding {
     /// How many findings it stands for: one, or as many as were only counted; none if another has counted it.
     pub count: u32,
 }
+
+/// Bytes of a message or a path that are kept.
+const SHOWN_BYTES: usize = 1024;
+/// Bytes of an id in a path.
+pub(crate) const KEY_BYTES: usize = 64;
+
+/// The beginning of a text, of at most so many bytes.
+pub(crate) fn shorten(text: &str, bytes: usize) -> &str {
+    let end = (0..=bytes.min(text.len())).rev().find(|end| text.is_char_boundary(*end));
+    text.get(..end.unwrap_or_default()).unwrap_or(text)
+}
+
+/// A message or a path as findings keep it: of at most 1,024 bytes, with `…` where it goes on.
+pub fn shorten_message(text: String) -> String {
+    match shorten(&text, SHOWN_BYTES) {
+        short if short.len() < text.len() => format!("{short}…"),
+        _ => text,
+    }
+}
+
+/// An id as paths of findings have it: its first 64 bytes.
+pub fn shorten_id(id: &str) -> &str {
+    shorten(id, KEY_BYTES)
+}

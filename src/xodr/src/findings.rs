@@ -1,7 +1,7 @@
 //! Findings as they are made: the first of each kind are kept, more are counted.
 
 use crate::counted::CountedFindings;
-use crate::finding::{Finding, Severity, Span};
+use crate::finding::{Finding, Severity, Span, shorten, shorten_message};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -10,8 +10,6 @@ type Kind = (&'static str, Severity, &'static str, Arc<str>);
 
 /// Kinds that are told apart; all others of a rule are one kind.
 const KINDS: usize = 1024;
-/// Bytes of a message or a path that are kept.
-const SHOWN_BYTES: usize = 1024;
 /// Bytes of what a kind is about that are looked at.
 const DETAIL_BYTES: usize = 64;
 
@@ -116,7 +114,7 @@ impl Findings {
         match fate {
             FindingFate::KeptFinding => {
                 let (path, message) = make();
-                let (path, message) = (shown(path), shown(message));
+                let (path, message) = (shorten_message(path), shorten_message(message));
                 let subject = shorten(detail, DETAIL_BYTES).into();
                 let hint = String::new();
                 let finding =
@@ -124,7 +122,7 @@ impl Findings {
                 self.kept.push(KeptFinding { finding, element, tag });
             }
             FindingFate::First => {
-                let path = shown(make().0);
+                let path = shorten_message(make().0);
                 self.more.push((kind, More { span, path, count: 1 }));
             }
             FindingFate::Later(at) => self.more_of(at, 1),
@@ -255,19 +253,5 @@ impl Findings {
     /// Takes the findings since the last call.
     pub(crate) fn take(&mut self) -> Vec<Finding> {
         std::mem::take(&mut self.kept).into_iter().map(|kept| kept.finding).collect()
-    }
-}
-
-/// The beginning of a text, of at most so many bytes.
-pub(crate) fn shorten(text: &str, bytes: usize) -> &str {
-    let end = (0..=bytes.min(text.len())).rev().find(|end| text.is_char_boundary(*end));
-    text.get(..end.unwrap_or_default()).unwrap_or(text)
-}
-
-/// A text as findings keep it.
-fn shown(text: String) -> String {
-    match shorten(&text, SHOWN_BYTES) {
-        short if short.len() < text.len() => format!("{short}…"),
-        _ => text,
     }
 }

@@ -52,7 +52,7 @@ pub use attribute::{Attribute, PositionOrEnd, SpeedLimit, Text, Value};
 pub use batch::{Batch, Context, Cutter, ReadBatch, RestOfDocument};
 pub use counted::{CountedFinding, CountedFindings};
 pub use extension::{Extension, ExtensionElement, ExtensionKind, Extensions};
-pub use finding::{Finding, Severity, Span};
+pub use finding::{Finding, Severity, Span, shorten_id, shorten_message};
 pub use generated::*;
 pub use limits::Limits;
 pub use patch::{LONGEST_PATCH, Patch, PatchError, PatchedId, PatchedKind};

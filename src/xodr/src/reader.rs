@@ -342,7 +342,7 @@ impl<'a> Reader<'a> {
             }
             self.accepted.push_back(Accepted::Child(part, (findings, counted), misplaced));
         }
-        cursor.kind = root.schema.name;
+        cursor.kind = root.schema;
         self.accepted.push_back(Accepted::Rest(read.rest));
         Ok(read.batch.text)
     }

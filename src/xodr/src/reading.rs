@@ -70,6 +70,9 @@ impl Cursor<'_> {
         let message =
             format!("expected {expected} in {}, found {}{done}", self.what(), self.shown());
         let (span, name) = (self.span(), self.schema.name);
+        if matches!(self.current, Current::Attribute(_)) {
+            self.find_key();
+        }
         // What a version's schema takes is no error against it.
         let severity = if self.is_loose() { severity.min(Severity::Warning) } else { severity };
         self.add(rule, severity, span, name, message);
@@ -96,6 +99,9 @@ impl Cursor<'_> {
             severity = severity.min(Severity::Warning);
         }
         let (span, name) = (self.span(), self.schema.name);
+        if matches!(self.current, Current::Attribute(_)) {
+            self.find_key();
+        }
         self.add(rule, severity, span, name, message);
     }
 

@@ -200,6 +200,46 @@ fn limits_are_options() {
     }
 }
 
+/// Line breaks and control characters that a map wrote as references came raw: they made lines of their own, and reached the terminal.
+#[test]
+fn what_a_map_says_makes_no_lines_and_steers_no_terminal() {
+    let link = "<link><successor elementType=\"junction\" elementId=\"9&#10;mapd: forged&#x9b;31m&#x85;\"/></link>";
+    let text = document("").replace("<planView>", &format!("{link}<planView>"));
+    let text = text.replace("road id=\"1\"", "road id=\"1&#10;mapd: forged\"");
+    let (out, _) = check("a.xodr", text.as_bytes(), &["--all"]);
+    assert!(out.contains("9·mapd: forged·31m·"), "{out}");
+    assert!(out.contains("road[@id=1·mapd: forged]"), "{out}");
+    assert!(out.chars().all(|c| c == '\n' || !c.is_control()), "{out:?}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.xodr");
+    std::fs::write(&file, text).expect("written");
+    let compiled = Command::new(MAPD).arg("compile").arg(&file).output().expect("starts");
+    let said = String::from_utf8(compiled.stderr).expect("UTF-8");
+    assert!(said.contains("9·mapd: forged"), "{said}");
+    assert!(said.chars().all(|c| c == '\n' || !c.is_control()), "{said:?}");
+}
+
+/// The id was missing in the path where a bad attribute stands before it, and was not decoded; rules wrote ids of any length.
+#[test]
+fn paths_have_ids_wherever_they_stand() {
+    let long = "x".repeat(100_000);
+    for (id, shown) in [("7", "7"), ("a&amp;b", "a&b"), (&*long, &long[..64])] {
+        let road = format!("<road length=\"abc\" foo=\"1\" id=\"{id}\" ");
+        let text = document("").replace("<road id=\"1\" length=\"10\" ", &road);
+        let (out, _) = check("a.xodr", text.as_bytes(), &["--json", "-q"]);
+        let told: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+        let path = format!("OpenDRIVE/road[@id={shown}]");
+        let mut about_road = 0;
+        for finding in told["findings"].as_array().expect("a list") {
+            let found = finding["path"].as_str().expect("a path");
+            assert!(finding["message"].as_str().is_some_and(|text| text.len() < 1100), "{id}");
+            about_road += usize::from(found.starts_with(&path));
+            assert!(!found.starts_with("OpenDRIVE/road") || found.starts_with(&path), "{found}");
+        }
+        assert!(about_road >= 2, "{out}");
+    }
+}
+
 /// All findings beyond a limit counted as one.
 #[test]
 fn numbers_are_those_of_all_findings() {

@@ -6,7 +6,7 @@ mod too_large;
 pub(crate) use too_large::{TooLarge, too_large, too_many_ids, too_many_overlaps, unfit};
 
 use mapd_rules::Rule;
-use mapd_xodr::{Finding, Severity, Span};
+use mapd_xodr::{Finding, Severity, Span, shorten_message};
 
 /// An entry of the catalog, and how grave a finding of it is.
 #[derive(Clone, Copy)]
@@ -25,6 +25,7 @@ pub(crate) fn finding(
     hint: &str,
 ) -> Finding {
     let severity = severity.min(rule.severity);
+    let (path, message) = (shorten_message(path), shorten_message(message));
     let (rule, subject, hint) = (rule.id, "".into(), hint.to_owned());
     Finding { rule, severity, span, path, subject, message, hint, count: 1 }
 }

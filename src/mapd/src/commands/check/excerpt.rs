@@ -1,5 +1,6 @@
 //! The lines of a file that findings stand in.
 
+use crate::printable::printable;
 use mapd_compiler::Diagnostic;
 use mapd_xodr::source::{Inputs, Places, SourceLimits};
 use std::io::BufRead as _;
@@ -97,21 +98,6 @@ fn collect(path: &Path, wanted: &mut [Around]) {
     }
 }
 
-/// The text with a dot for each character that would do something to a terminal instead of being seen: a map may come from
-/// anywhere. One for one, so that columns stay.
-fn printable(bytes: &[u8]) -> String {
-    let shown = |c: char| match c {
-        '\t' => ' ',
-        // What turns the direction of writing around.
-        '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => {
-            '·'
-        }
-        c if c.is_control() => '·',
-        c => c,
-    };
-    String::from_utf8_lossy(bytes).chars().map(shown).collect()
-}
-
 fn finish(around: &Around) -> Option<Excerpt> {
     let at = usize::try_from(around.place - around.begin).ok()?;
     let (before, after) = around.bytes.split_at_checked(at)?;
@@ -120,7 +106,8 @@ fn finish(around: &Around) -> Option<Excerpt> {
     let after = after.get(..end.unwrap_or(after.len()))?;
     // Characters may be cut at both ends.
     let after = after.strip_suffix(b"\r").unwrap_or(after);
-    let [before, after] = [before, after].map(printable);
+    let [before, after] =
+        [before, after].map(|bytes| printable(&String::from_utf8_lossy(bytes)).into_owned());
     let before = before.trim_start_matches('\u{fffd}');
     let after = after.trim_end_matches('\u{fffd}');
     let (head, tail) = (if around.cut { "…" } else { "" }, if more { "…" } else { "" });

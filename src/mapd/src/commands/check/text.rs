@@ -2,6 +2,7 @@
 
 use super::excerpt::excerpts;
 use crate::colour::Colours;
+use crate::printable::printable;
 use crate::report::{Folding, counts, severity_name, verdict_name};
 use anyhow::Result;
 use mapd_compiler::{Compilation, Verdict};
@@ -35,11 +36,15 @@ pub(super) fn write(
         };
         writeln!(
             out,
-            "{place}:{}:{}: {severity}[{}]{rejects}: {}",
-            d.line, d.column, f.rule, f.message
+            "{}:{}:{}: {severity}[{}]{rejects}: {}",
+            printable(place),
+            d.line,
+            d.column,
+            f.rule,
+            printable(&f.message)
         )?;
         if !f.path.is_empty() {
-            writeln!(out, "    at {}", f.path)?;
+            writeln!(out, "    at {}", printable(&f.path))?;
         }
         if let Some(excerpt) = excerpt {
             let number = d.line.to_string();
@@ -54,7 +59,7 @@ pub(super) fn write(
             )?;
         }
         if !f.hint.is_empty() {
-            writeln!(out, "    hint: {}", f.hint)?;
+            writeln!(out, "    hint: {}", printable(&f.hint))?;
         }
     }
     if folded_kept > 0 && folded <= folded_kept {
@@ -74,7 +79,7 @@ pub(super) fn write(
             "{name}:{}:{}: {} is {}: {}",
             part.line,
             part.column,
-            part.name(),
+            printable(&part.name()),
             crate::report::treated(part.treatment),
             part.rule
         )?;
@@ -82,6 +87,7 @@ pub(super) fn write(
     let counts = counts(checked);
     let version = &checked.version;
     let stated = if version.stated.is_empty() { "no revision" } else { &version.stated };
+    let stated = printable(stated);
     let verdict = verdict_name(checked.verdict);
     writeln!(
         out,

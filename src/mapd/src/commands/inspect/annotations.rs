@@ -1,5 +1,6 @@
 //! What `mapd inspect` says about what files say besides.
 
+use crate::printable::printable;
 use mapd_client::Map;
 use mapd_query::vocabulary::JunctionGroupKind;
 use serde::Serialize;
@@ -73,10 +74,10 @@ impl AnnotationFacts {
             let listed = names.iter().take(MOST_NAMES);
             let listed: Vec<String> = listed.map(|(name, n)| format!("{n} {name:?}")).collect();
             let more = if names.len() > MOST_NAMES { ", …" } else { "" };
-            writeln!(out, "  {kind:<16}{all:>6}: {}{more}", listed.join(", "))?;
+            writeln!(out, "  {kind:<16}{all:>6}: {}{more}", printable(&listed.join(", ")))?;
         }
         if !self.included_files.is_empty() {
-            writeln!(out, "included      {}", self.included_files.join(", "))?;
+            writeln!(out, "included      {}", printable(&self.included_files.join(", ")))?;
         }
         if self.lane_visibilities + self.lane_rules > 0 {
             let (seen, rules) = (self.lane_visibilities, self.lane_rules);
@@ -88,6 +89,7 @@ impl AnnotationFacts {
                 true => format!(", {ring_lanes} lanes in the ring"),
                 false => String::new(),
             };
+            let id = printable(id);
             writeln!(out, "group         {id} {name:?}: {kind} of {junctions} junctions{ring}")?;
         }
         Ok(())

@@ -1,5 +1,6 @@
 //! Counts of objects for `mapd inspect`.
 
+use crate::printable::printable;
 use mapd_client::Map;
 use mapd_query::vocabulary::{Class, LaneMethod};
 use serde::Serialize;
@@ -66,6 +67,7 @@ impl ObjectFacts {
         }
         if !self.unmapped.is_empty() {
             let codes = list(&mut self.unmapped.iter().map(|(code, n)| (code.as_str(), *n)));
+            let codes = printable(&codes);
             writeln!(out, "              not in the vocabulary (type/subtype): {codes}")?;
         }
         Ok(())

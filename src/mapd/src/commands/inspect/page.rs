@@ -1,6 +1,7 @@
 //! What `mapd inspect` tells, as a page for people: what this map is, how large, where, and what it lacks.
 
 use super::facts::{FileFrameFacts, Inspection, MapFacts, QuarantinedFacts, TableFacts};
+use crate::printable::printable;
 use crate::rounded;
 use std::io::{Result, Write};
 
@@ -63,7 +64,7 @@ fn place(map: &MapFacts, out: &mut dyn Write) -> Result<()> {
     writeln!(out, "extent        {width:.1} m × {length:.1} m, {height:.1} m high")?;
     bounds(map.min, map.max, out)?;
     let text = map.geo_reference.trim();
-    let stated = if text.is_empty() { "none" } else { text };
+    let stated = if text.is_empty() { "none".into() } else { printable(text) };
     writeln!(out, "geoReference  {stated} ({})", map.geo_reference_form)?;
     match (&map.projection, map.geodetic_bounds) {
         (Some(projection), Some([[south, west], [north, east]])) => {
@@ -120,11 +121,16 @@ fn left_out(parts: &[QuarantinedFacts], out: &mut dyn Write) -> Result<()> {
     writeln!(out, "quarantine    {} {parts_word}", parts.len())?;
     for part in parts.iter().take(MOST_LEFT_OUT) {
         let kept = if part.reference_line { ", kept as its reference line" } else { "" };
-        let file = part.file.as_deref().map(|file| format!("{file}, ")).unwrap_or_default();
+        let file =
+            part.file.as_deref().map(|file| format!("{}, ", printable(file))).unwrap_or_default();
         writeln!(
             out,
             "  {}{kept}: {file}line {}, column {}: {}: {}",
-            part.name, part.line, part.column, part.rule, part.message
+            printable(&part.name),
+            part.line,
+            part.column,
+            part.rule,
+            printable(&part.message)
         )?;
     }
     if parts.len() > MOST_LEFT_OUT {
