@@ -35,6 +35,11 @@ const BOUNDS: [(&str, u64); 12] = [
 /// Most that all lanes near a place may take where they are few, as a multiple of the nearest alone within the same radius.
 const FEW: f64 = 2.0;
 
+/// Records of a short and of a long road, and most that the length of a lane along the whole of one may take in instructions, as a multiple of what it takes
+/// along the other: what is stored of it is searched in, no more.
+const RECORDS: [usize; 2] = [200, 10_000];
+const LONGER: f64 = 1.25;
+
 /// Instructions that one particle of a cloud may take as part of a batch, on the carried town; a part of them lie beside all lanes.
 const PARTICLE: f64 = 1_130.0;
 /// Instructions that one place along the longest road may take from track coordinates as part of a batch.
@@ -193,6 +198,20 @@ fn main() -> ExitCode {
     let nearest = counted(&[Job::new(&probe, &[&path, "nearest-few"], RUNS)])[0];
     let what = format!("near-few: {:.2} of the nearest alone", few / nearest);
     exceeded |= exceeds(&what, few, nearest * FEW, 0);
+    let roads = RECORDS.map(|records| {
+        let road = folder.path().join(format!("{records}.mapd"));
+        write(mapd_tests::long_lane::long_lane(records, true).as_bytes(), &road);
+        road.to_string_lossy().into_owned()
+    });
+    let jobs = [0, 1].map(|i| Job::new(&probe, &[&roads[i], "length"], RUNS));
+    let lengths = counted(&jobs);
+    let what = format!(
+        "length of {} records: {:.2} of {}",
+        RECORDS[1],
+        lengths[1] / lengths[0],
+        RECORDS[0]
+    );
+    exceeded |= exceeds(&what, lengths[1], lengths[0] * LONGER, 0);
     let kinds = ["cloud", "cloud-single", "inertial-batch"];
     let jobs = kinds.map(|kind| Job::new(&probe, &[&path, kind], CLOUDS));
     let clouds = counted(&jobs);

@@ -58,6 +58,7 @@ pub fn all() -> Vec<GoldenMap> {
     let mut maps = vec![
         map("furnished", crossroads::furnished()),
         map("lane-blocks", read(carried("town.xodr"))),
+        map("lane-lengths", crate::long_lane::long_lane(40, true)),
         map("objects", read(carried("objects.xodr"))),
         map("roundabout", roundabout(GROUP)),
         map("surfaces", read(carried("surfaces.xodr"))),

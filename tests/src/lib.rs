@@ -24,6 +24,7 @@ pub mod graph_maps;
 pub mod json_schema;
 #[cfg(feature = "processes")]
 pub mod literal;
+pub mod long_lane;
 #[cfg(feature = "processes")]
 pub mod manager;
 pub mod maps;

@@ -1,10 +1,11 @@
-//! Proving the polylines: lanes own their points, one lane after the other, at stations of their section that ascend.
+//! Proving the polylines: lanes own their points, one lane after the other, at stations of their section that ascend. Lengths along lanes ascend, too.
 
 use crate::Tables;
 use crate::error::VerifyError;
 use crate::verify::Check;
 
 pub(crate) fn lines(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    lengths(tables)?;
     for (row, section) in tables.sections.iter().enumerate() {
         if !section.point_code().is_sound() {
             let check = Check { table: "sections", row };
@@ -37,6 +38,22 @@ pub(crate) fn lines(tables: &Tables<'_>) -> Result<(), VerifyError> {
                     Some(s) => before = s,
                 }
             }
+        }
+    }
+    Ok(())
+}
+
+fn lengths(tables: &Tables<'_>) -> Result<(), VerifyError> {
+    for (row, [before, own]) in tables.lane_lengths.array_windows().enumerate() {
+        let check = Check { table: "lane_lengths", row: row + 1 };
+        if own.lane() < before.lane() {
+            return check.fail("lane", format!("at least {}", before.lane()), own.lane());
+        }
+        if own.lane() == before.lane() && own.s() <= before.s() {
+            return check.fail("s", format!("above {}", before.s()), own.s());
+        }
+        if own.lane() == before.lane() && own.length() < before.length() {
+            return check.fail("length", format!("at least {}", before.length()), own.length());
         }
     }
     Ok(())

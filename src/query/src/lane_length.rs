@@ -6,7 +6,7 @@ use crate::lane::Lane;
 use crate::lane_edges::EdgeSlopes;
 use crate::profile::{self, At};
 use crate::road::{GeometryPiece, Road};
-use mapd_archive::{ArchivedCubicRow, SpeedKind};
+use mapd_archive::{ArchivedCubicRow, ArchivedLaneLengthRow, SpeedKind};
 
 /// Speed assumed where the file states none `[m/s]`: 50 km/h, the usual limit in towns.
 const ASSUMED_SPEED: f64 = 50.0 / 3.6;
@@ -70,6 +70,16 @@ impl<'a> CachedGeometry<'a> {
     }
 }
 
+/// A stretch on one piece of the reference line, all along which the same records hold.
+struct Stretch<'a> {
+    from: f64,
+    to: f64,
+    /// None in a damaged archive.
+    piece: Option<GeometryPiece<'a>>,
+    /// Whether none of the records changes.
+    is_constant: bool,
+}
+
 /// Where the records that hold at a place give way to others.
 struct Records {
     to: f64,
@@ -101,6 +111,30 @@ impl Records {
         let closed = changes.and_then(|own| profile::sign_change(own, from, self.to));
         self.to = closed.filter(|s| *s > from).map_or(self.to, |s| self.to.min(s));
     }
+}
+
+/// Records between two places of a lane up to which its length is stored.
+const RECORDS_PER_LENGTH: usize = 16;
+/// Records of a lane of which no lengths are stored: so many are looked at for each length along it.
+const FEW_RECORDS: usize = 32;
+
+/// Places of a lane where a record begins, and how long its centre line is up to there `[m]`: after each 16 records of a lane of more than 32, none of
+/// another. Where the archive has them, [`Lane::length_between`] looks at no more than 16 at either end.
+pub fn lengths_along(lane: &Lane<'_>) -> Vec<(f64, f64)> {
+    let end = lane.section().s_end().min(lane.road.reference_end());
+    let stretches = || lane.stretches(lane.section().s_start(), end);
+    if lane.most_stretches() <= FEW_RECORDS || stretches().nth(FEW_RECORDS).is_none() {
+        return Vec::new();
+    }
+    let mut length = 0.0;
+    let ends = stretches().map(|stretch| {
+        length += lane.smooth_length(&stretch);
+        (stretch.to, length)
+    });
+    ends.skip(RECORDS_PER_LENGTH - 1)
+        .step_by(RECORDS_PER_LENGTH)
+        .filter(|(s, _)| *s < end)
+        .collect()
 }
 
 /// Most steps towards the place at a length along a lane: by halves alone there are fewer.
@@ -163,26 +197,54 @@ impl<'a> Lane<'a> {
         let end = section_end.min(self.road.reference_end());
         let inside = |s: f64| mapd_geometry::clamp(s, start, end.max(start));
         let (from, to) = (inside(a.min(b)), inside(a.max(b)));
-        let (mut held, mut s, mut sum) = (CachedGeometry::NONE, from, 0.0);
-        while s < to {
-            let piece = held.at(&self.road, s);
-            let records = self.records_from(s, to.min(held.to));
-            // Records of a damaged archive may begin nowhere.
-            let end = if records.to > s { records.to } else { to };
-            sum += self.smooth_length(s, end, piece, records.is_constant);
-            s = end;
-        }
-        sum
+        let sum = |from, to| self.stretches(from, to).map(|part| self.smooth_length(&part)).sum();
+        let Some([first, last]) = self.stored_lengths(from, to) else { return sum(from, to) };
+        let (before, behind): (f64, f64) = (sum(from, first.s()), sum(last.s(), to));
+        before + (last.length() - first.length()) + behind
     }
 
-    /// Length of a stretch on one piece of the reference line, all along which the same records hold.
-    fn smooth_length(
-        &self,
-        from: f64,
-        to: f64,
-        piece: Option<GeometryPiece<'_>>,
-        is_constant: bool,
-    ) -> f64 {
+    /// The first and the last place of two or more between two others up to which the lane's length is stored.
+    fn stored_lengths(&self, from: f64, to: f64) -> Option<[&'a ArchivedLaneLengthRow; 2]> {
+        let stored = self.map.tables().lane_lengths;
+        if stored.is_empty() {
+            return None;
+        }
+        let is_before = |row: &ArchivedLaneLengthRow, s: f64| {
+            row.lane() < self.row_number() || (row.lane() == self.row_number() && row.s() < s)
+        };
+        let first = stored.partition_point(|row| is_before(row, from));
+        let last = stored.partition_point(|row| is_before(row, to)).checked_sub(1)?;
+        let ends = [stored.get(first)?, stored.get(last)?];
+        (first < last && ends.iter().all(|row| row.lane() == self.row_number())).then_some(ends)
+    }
+
+    /// The stretches from a place to another along each of which the same records hold.
+    fn stretches(&self, from: f64, to: f64) -> impl Iterator<Item = Stretch<'a>> {
+        let (mut held, mut s) = (CachedGeometry::NONE, from);
+        std::iter::from_fn(move || {
+            let from = Some(s).filter(|s| *s < to)?;
+            let piece = held.at(&self.road, from);
+            let Records { to: end, is_constant } = self.records_from(from, to.min(held.to));
+            // Records of a damaged archive may begin nowhere.
+            s = if end > from { end } else { to };
+            Some(Stretch { from, to: s, piece, is_constant })
+        })
+    }
+
+    /// Stretches of the whole lane, at most.
+    fn most_stretches(&self) -> usize {
+        let own = self.road.geometries().len()
+            + self.own_lane_offsets().len()
+            + self.road.superelevations().len();
+        let mut widths = 0;
+        self.walk_outwards(|lane| widths += usize::from(lane.width_count()));
+        // A width may close between two records.
+        own + 2 * widths
+    }
+
+    /// Length of a stretch.
+    fn smooth_length(&self, stretch: &Stretch<'_>) -> f64 {
+        let Stretch { from, to, piece, is_constant } = *stretch;
         // A damaged archive.
         let Some(piece) = piece else { return to - from };
         let hold = 0.5 * (from + to);

@@ -13,6 +13,7 @@ pub fn rows(map: Map<'_>) -> String {
     geometries(tables, &mut lines);
     graph(tables, &mut lines);
     index(tables, &mut lines);
+    lengths(tables, &mut lines);
     lines.into_text()
 }
 
@@ -93,6 +94,14 @@ fn graph(tables: &Tables<'_>, lines: &mut Lines) {
         tables.landmark_lengths.chunks(of_place).zip(tables.landmark_times.chunks(of_place));
     for (lengths, times) in of_both {
         lines.about("landmarks").with("lengths", lengths).with("times", times);
+    }
+}
+
+/// How long lanes of many records are up to some of these.
+fn lengths(tables: &Tables<'_>, lines: &mut Lines) {
+    for row in tables.lane_lengths {
+        let at = [row.s(), row.length()].map(Fine);
+        lines.about("lane length").with("lane", row.lane()).with("at", at);
     }
 }
 

@@ -41,6 +41,8 @@ mod lane_graph;
 // Lanes of the temporary layer.
 mod lane_layers;
 mod lengths;
+// Lengths along lanes of very many records, with and without those that are stored.
+mod stored_lengths;
 // Which lanes a pose may be in.
 mod matching;
 // The nearest road mark: worked out by hand on marks of every form, and against places all along all marks.

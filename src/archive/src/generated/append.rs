@@ -121,6 +121,7 @@ impl Rows {
             sections: unused(),
             lanes: unused(),
             lane_blocks: unused(),
+            lane_lengths: unused(),
             lane_speeds: unused(),
             point_stations: unused(),
             points: unused(),
@@ -314,6 +315,9 @@ impl Rows {
         let before = self.lane_blocks.len();
         self.lane_blocks.extend_from_slice(part.lane_blocks.get(1..).unwrap_or_default());
         self.lane_blocks.iter_mut().skip(before).for_each(|row| row.move_by(moves));
+        let before = self.lane_lengths.len();
+        self.lane_lengths.extend_from_slice(part.lane_lengths.get(1..).unwrap_or_default());
+        self.lane_lengths.iter_mut().skip(before).for_each(|row| row.move_by(moves));
         let before = self.lane_speeds.len();
         self.lane_speeds.extend_from_slice(part.lane_speeds.get(1..).unwrap_or_default());
         self.lane_speeds.iter_mut().skip(before).for_each(|row| row.move_by(moves));

@@ -7,13 +7,13 @@ use crate::directory::{Feature, TableKind};
 pub const FORMAT: u32 = 2;
 /// Identifies what this release writes: numbers and row ids of all its tables.
 pub const LAYOUT_ID: [u8; 16] =
-    [109, 22, 211, 235, 30, 78, 117, 16, 229, 136, 18, 233, 2, 76, 149, 81];
+    [54, 30, 187, 141, 228, 36, 192, 231, 218, 253, 88, 118, 14, 132, 212, 120];
 
 /// What this release knows of what a reader must know of, by bit of the header's `must_understand`.
 pub const FEATURES: [Feature; 0] = [];
 
 /// The tables that this release knows, by number.
-pub(crate) const TABLES: [TableKind; 106] = [
+pub(crate) const TABLES: [TableKind; 107] = [
     TableKind::new(1, "string_bytes", 1, 0xb6f9a5667163132f, true),
     TableKind::new(2, "string_offsets", 4, 0x67743eeea1e68648, true),
     TableKind::new(3, "map", 216, 0x8e54515d07a23d48, true),
@@ -120,4 +120,5 @@ pub(crate) const TABLES: [TableKind; 106] = [
     TableKind::new(104, "annotation_numbers", 1, 0xbffb8cb6557739ca, false),
     TableKind::new(105, "annotation_blocks", 12, 0x8a699ee01e41a9b0, false),
     TableKind::new(106, "lane_blocks", 24, 0x6154d00e35f46462, false),
+    TableKind::new(107, "lane_lengths", 24, 0x436236ff01c95170, false),
 ];

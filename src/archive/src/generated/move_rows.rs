@@ -89,6 +89,13 @@ impl LaneBlockRow {
     }
 }
 
+impl LaneLengthRow {
+    /// Lets the row refer to where what it refers to comes to lie.
+    pub fn move_by(&mut self, moves: &RowMappings) {
+        self.lane = moves.lanes.row(self.lane);
+    }
+}
+
 impl LaneSpeedRow {
     /// Lets the row refer to where what it refers to comes to lie.
     pub fn move_by(&mut self, moves: &RowMappings) {

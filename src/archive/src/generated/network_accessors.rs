@@ -670,6 +670,24 @@ impl ArchivedLaneBlockRow {
     }
 }
 
+impl ArchivedLaneLengthRow {
+    /// `[m]` Where a record begins, on the road.
+    #[inline]
+    pub fn s(&self) -> f64 {
+        self.s.to_native()
+    }
+    /// `[m]` Length of the centre line in plan view from the lane's start to there.
+    #[inline]
+    pub fn length(&self) -> f64 {
+        self.length.to_native()
+    }
+    /// The lane.
+    #[inline]
+    pub fn lane(&self) -> u32 {
+        self.lane.to_native()
+    }
+}
+
 impl ArchivedLaneSpeedRow {
     /// `[m]` Start on the road.
     #[inline]

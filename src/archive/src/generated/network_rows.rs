@@ -351,6 +351,22 @@ pub struct LaneBlockRow {
 }
 const _: () = assert!(size_of::<LaneBlockRow>() == 24 && size_of::<ArchivedLaneBlockRow>() == 24);
 
+/// How long lanes of very many records are up to some of these, by lane and s: a length along one is a difference, and what lies before and behind. It decides nothing.
+#[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
+#[rkyv(derive(Pod, Zeroable, Clone, Copy))]
+#[repr(C)]
+pub struct LaneLengthRow {
+    /// `[m]` Where a record begins, on the road.
+    pub s: f64,
+    /// `[m]` Length of the centre line in plan view from the lane's start to there.
+    pub length: f64,
+    /// The lane.
+    pub lane: u32,
+    /// 0.
+    pub reserved: u32,
+}
+const _: () = assert!(size_of::<LaneLengthRow>() == 24 && size_of::<ArchivedLaneLengthRow>() == 24);
+
 /// lane/speed records, by lane and s.
 #[derive(Archive, Pod, Zeroable, Clone, Copy, Debug, PartialEq)]
 #[rkyv(derive(Pod, Zeroable, Clone, Copy))]

@@ -225,6 +225,8 @@ pub struct Rows {
     pub annotation_blocks: Table<AnnotationBlockRow>,
     /// A row for each 64 lanes: the sections and roads that their rows lead to, so that queries can read all of these rows ahead at once. It decides nothing. Where roads of neighbouring sections do not follow each other, as behind temporary layers, it is wrong.
     pub lane_blocks: Table<LaneBlockRow>,
+    /// How long lanes of very many records are up to some of these, by lane and s: a length along one is a difference, and what lies before and behind. It decides nothing.
+    pub lane_lengths: Table<LaneLengthRow>,
 }
 
 impl Rows {
@@ -337,11 +339,12 @@ impl Rows {
             annotation_numbers: (self.annotation_numbers.as_slice()),
             annotation_blocks: bytemuck::cast_slice(self.annotation_blocks.as_slice()),
             lane_blocks: bytemuck::cast_slice(self.lane_blocks.as_slice()),
+            lane_lengths: bytemuck::cast_slice(self.lane_lengths.as_slice()),
         }
     }
 
     /// The bytes of all tables, as they lie in an archive, in the order of `TABLES`.
-    pub(crate) fn bytes(&self) -> [&[u8]; 106] {
+    pub(crate) fn bytes(&self) -> [&[u8]; 107] {
         [
             bytemuck::cast_slice(self.string_bytes.as_slice()),
             bytemuck::cast_slice(self.string_offsets.as_slice()),
@@ -449,6 +452,7 @@ impl Rows {
             bytemuck::cast_slice(self.annotation_numbers.as_slice()),
             bytemuck::cast_slice(self.annotation_blocks.as_slice()),
             bytemuck::cast_slice(self.lane_blocks.as_slice()),
+            bytemuck::cast_slice(self.lane_lengths.as_slice()),
         ]
     }
 }

@@ -229,6 +229,8 @@ pub struct Tables<'a> {
     pub annotation_blocks: &'a [ArchivedAnnotationBlockRow],
     /// A row for each 64 lanes: the sections and roads that their rows lead to, so that queries can read all of these rows ahead at once. It decides nothing. Where roads of neighbouring sections do not follow each other, as behind temporary layers, it is wrong.
     pub lane_blocks: &'a [ArchivedLaneBlockRow],
+    /// How long lanes of very many records are up to some of these, by lane and s: a length along one is a difference, and what lies before and behind. It decides nothing.
+    pub lane_lengths: &'a [ArchivedLaneLengthRow],
 }
 
 impl<'a> Tables<'a> {
@@ -341,11 +343,12 @@ impl<'a> Tables<'a> {
             annotation_numbers: directory.take(&TABLES[103])?,
             annotation_blocks: directory.take(&TABLES[104])?,
             lane_blocks: directory.take(&TABLES[105])?,
+            lane_lengths: directory.take(&TABLES[106])?,
         })
     }
 
     /// Name, element size and length of every table, in the order in which they lie.
-    pub fn infos(&self) -> [TableInfo; 106] {
+    pub fn infos(&self) -> [TableInfo; 107] {
         [
             TableInfo::of(1, "string_bytes", self.string_bytes),
             TableInfo::of(2, "string_offsets", self.string_offsets),
@@ -453,6 +456,7 @@ impl<'a> Tables<'a> {
             TableInfo::of(104, "annotation_numbers", self.annotation_numbers),
             TableInfo::of(105, "annotation_blocks", self.annotation_blocks),
             TableInfo::of(106, "lane_blocks", self.lane_blocks),
+            TableInfo::of(107, "lane_lengths", self.lane_lengths),
         ]
     }
 }

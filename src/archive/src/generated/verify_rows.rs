@@ -143,6 +143,12 @@ impl Tables<'_> {
             check.reference("section", row.section(), self.sections.len(), false)?;
             check.reference("road", row.road(), self.roads.len(), false)?;
         }
+        for (i, row) in self.lane_lengths.iter().enumerate() {
+            let check = Check { table: "lane_lengths", row: i };
+            check.finite("s", row.s())?;
+            check.finite("length", row.length())?;
+            check.reference("lane", row.lane(), self.lanes.len(), false)?;
+        }
         for (i, row) in self.lane_speeds.iter().enumerate() {
             let check = Check { table: "lane_speeds", row: i };
             check.finite("s", row.s())?;

@@ -80,6 +80,7 @@ fn build(
         index::objects(&mut rows);
         index::signals(&mut rows);
         index::lane_blocks(&mut rows);
+        index::lane_lengths(&mut rows);
         match index::lanes(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {

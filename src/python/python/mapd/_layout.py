@@ -110,4 +110,5 @@ TABLES: dict[str, tuple[int, int, Any]] = {
     "annotation_numbers": (104, 0xbffb8cb6557739ca, "u1"),
     "annotation_blocks": (105, 0x8a699ee01e41a9b0, [("owner", "<u4"), ("line", "<u4"), ("count", "<u2"), ("owner_kind", "u1"), ("reserved", "u1")]),
     "lane_blocks": (106, 0x6154d00e35f46462, [("section_starts", "<u8"), ("road_starts", "<u8"), ("section", "<u4"), ("road", "<u4")]),
+    "lane_lengths": (107, 0x436236ff01c95170, [("s", "<f8"), ("length", "<f8"), ("lane", "<u4"), ("reserved", "<u4")]),
 }
