@@ -43,7 +43,7 @@ pub const MAX_EVENT_DAEMONS: usize = 4;
 /// Longest map name in bytes.
 pub const MAX_MAP_NAME_LENGTH: usize = 100;
 
-/// Name of a daemon's node, by which it is told from those of clients; process ids are not, for containers have their own.
+/// Name of a daemon's nodes, by which they are told from those of clients; process ids do not, for containers have their own.
 pub const DAEMON_NODE: &str = "mapd";
 
 /// Name of the publish-subscribe service of a map.

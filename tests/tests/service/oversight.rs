@@ -218,7 +218,7 @@ fn metrics_are_read_over_http_by_this_machine_only() {
     assert!(refused.status.code() == Some(2) && said.contains("--metrics-open"), "{said}");
 }
 
-/// Metrics and status said that nobody subscribes, whoever did.
+/// Metrics and status said that nobody subscribes, whoever did; then they counted the daemon's own subscriptions, by which it looks at what it serves.
 #[test]
 fn subscribers_are_counted() {
     let place = place();
@@ -226,7 +226,9 @@ fn subscribers_are_counted() {
     let mut daemon = Logged::start(&mut place.command(), &args);
     let address = daemon.event("metrics at")["address"].as_str().expect("an address").to_owned();
     let clients = || metric(&address, "mapd_map_clients{map=\"town\"}");
-    let before = clients().expect("a number");
+    assert_eq!(clients(), Some(0.0));
+    let looking = mapd_client::Client::connect_in_reserve(&place.domain(), "town", PATIENCE);
+    let looking = looking.expect("attaches as a daemon does");
     let subscriber = mapd_client::Client::connect_as(
         mapd_client::Attach::Subscriber,
         &place.domain(),
@@ -234,9 +236,9 @@ fn subscribers_are_counted() {
         PATIENCE,
     );
     let subscriber = subscriber.expect("attaches");
-    assert_eq!(clients(), Some(before + 1.0));
-    assert_eq!(place.state("town").subscribers.map(|count| count as f64), Some(before + 1.0));
-    drop(subscriber);
+    assert_eq!(clients(), Some(1.0));
+    assert_eq!(place.state("town").subscribers, Some(1));
+    drop((looking, subscriber));
     assert_eq!(daemon.terminate(), Some(0));
 }
 

@@ -6,7 +6,10 @@ use crate::attach_lock::{AttachGuard, AttachLock};
 use crate::claim::who_serves;
 use crate::domain::Domain;
 use crate::error::AttachError;
-use crate::limits::{TRANSPORT_REVISION, changed_name, service_name, wake_name};
+use crate::limits::{
+    DAEMON_NODE, MAX_SUBSCRIBERS, MAX_SUBSCRIPTIONS, TRANSPORT_REVISION, changed_name,
+    service_name, wake_name,
+};
 use crate::observer::revision_of;
 use crate::payload::{Chunk64, GenerationInfo};
 use crate::presence::Presence;
@@ -16,7 +19,7 @@ use crate::user::check_own;
 use iceoryx2::port::listener::Listener;
 use iceoryx2::port::notifier::Notifier;
 use iceoryx2::port::subscriber::{Subscriber, SubscriberCreateError};
-use iceoryx2::prelude::{Node, NodeBuilder, ServiceName, SignalHandlingMode};
+use iceoryx2::prelude::{Node, NodeBuilder, NodeName, ServiceName, SignalHandlingMode};
 use iceoryx2::service::builder::event::EventOpenError;
 use iceoryx2::service::builder::publish_subscribe::PublishSubscribeOpenError;
 use iceoryx2::service::port_factory::PortFactory as _;
@@ -57,13 +60,22 @@ pub(crate) struct Ports {
     pub(crate) timing: AttachTiming,
 }
 
+/// Who attaches.
+#[derive(Clone, Copy)]
+pub(crate) enum Attaching {
+    /// A client.
+    Client,
+    /// A daemon that looks at what it serves: also where clients have taken all places, and it is counted as none of them.
+    Daemon,
+}
+
 /// Creates node and ports, once. Everything happens under the attach lock, which is free again at the end.
 ///
 /// Errors: whatever is missing; [`AttachError::may_pass`] tells whether to try again.
 pub(crate) fn open_ports(
     domain: &Domain,
     map: &str,
-    most: usize,
+    attaching: Attaching,
     deadline: Instant,
 ) -> Result<Ports, AttachError> {
     let mut clock = Instant::now();
@@ -77,7 +89,12 @@ pub(crate) fn open_ports(
         Presence::enter(domain).map_err(|error| AttachError::io(domain.root(), error))?;
     timing.lock = lap();
     let config = iceoryx2_config(domain)?;
+    let (most, name) = match attaching {
+        Attaching::Client => (MAX_SUBSCRIBERS, ""),
+        Attaching::Daemon => (MAX_SUBSCRIPTIONS, DAEMON_NODE),
+    };
     let node = NodeBuilder::new()
+        .name(&NodeName::new(name).map_err(AttachError::iceoryx)?)
         .config(&config)
         .signal_handling_mode(SignalHandlingMode::Disabled)
         .create::<TransportService>()

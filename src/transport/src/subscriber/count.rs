@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 /// How long a daemon may hold the attach lock before the number of subscriptions is given up.
 const LOCK_PATIENCE: Duration = Duration::from_millis(500);
 
-/// Subscriptions to a map, of this and of all other processes: living nodes that have its service open, without the daemon's; each subscription has
-/// one of its own. `None` if they cannot be counted.
+/// Subscriptions to a map, of this and of all other processes: living nodes that have its service open, without the daemon's, which also subscribes to look at what it serves; each
+/// subscription has one of its own. `None` if they cannot be counted.
 pub fn count_subscriptions(domain: &Domain, map: &str) -> Option<usize> {
     silence_iceoryx2();
     let lock = AttachLock::open(domain).ok()?;

@@ -1,13 +1,13 @@
 //! Following one map.
 
-use super::attach::{AttachTiming, Ports, open_listener, open_ports};
+use super::attach::{AttachTiming, Attaching, Ports, open_listener, open_ports};
 use super::config::{TransportService, silence_iceoryx2};
 use super::sample::PinnedSample;
 use super::shortage::{RECEIVE_DESCRIPTORS, check_descriptors, check_room};
 use crate::claim::{served_by, who_serves};
 use crate::domain::Domain;
 use crate::error::AttachError;
-use crate::limits::{MAX_PINNED, MAX_SUBSCRIBERS, MAX_SUBSCRIPTIONS, check_map_name};
+use crate::limits::{MAX_PINNED, check_map_name};
 use crate::pinned::{Memory, Pinned, Watch};
 use iceoryx2::port::listener::Listener;
 use iceoryx2::service::port_factory::PortFactory as _;
@@ -65,10 +65,10 @@ impl Subscription {
     /// Errors: what was missing at the deadline; at once, what no waiting helps against: wrong names, another user's
     /// daemon, another release's daemon.
     pub fn connect(domain: &Domain, map: &str, deadline: Instant) -> Result<Self, AttachError> {
-        Self::connect_among(domain, map, MAX_SUBSCRIBERS, deadline)
+        Self::connect_as(domain, map, Attaching::Client, deadline)
     }
 
-    /// As [`Subscription::connect`], for a daemon that looks at what it serves: also where clients have taken all places.
+    /// As [`Subscription::connect`], for a daemon that looks at what it serves: also where clients have taken all places, and counted as none of them.
     ///
     /// Errors: as [`Subscription::connect`].
     #[doc(hidden)]
@@ -77,20 +77,20 @@ impl Subscription {
         map: &str,
         deadline: Instant,
     ) -> Result<Self, AttachError> {
-        Self::connect_among(domain, map, MAX_SUBSCRIPTIONS, deadline)
+        Self::connect_as(domain, map, Attaching::Daemon, deadline)
     }
 
-    fn connect_among(
+    fn connect_as(
         domain: &Domain,
         map: &str,
-        most: usize,
+        attaching: Attaching,
         deadline: Instant,
     ) -> Result<Self, AttachError> {
         check_map_name(map)?;
         silence_iceoryx2();
         let mut pause = FIRST_PAUSE;
         let mut inbox = loop {
-            match open_ports(domain, map, most, deadline).map_err(AttachError::or_shortage) {
+            match open_ports(domain, map, attaching, deadline).map_err(AttachError::or_shortage) {
                 Ok(ports) => break Inbox { ports, held: Vec::new() },
                 Err(error) if error.may_pass() && Instant::now() < deadline => {
                     sleep(&mut pause, deadline)
