@@ -44,7 +44,8 @@ pub(crate) fn lines(tables: &Tables<'_>) -> Result<(), VerifyError> {
 }
 
 fn lengths(tables: &Tables<'_>) -> Result<(), VerifyError> {
-    for (row, [before, own]) in tables.lane_lengths.array_windows().enumerate() {
+    for (row, pair) in tables.lane_lengths.windows(2).enumerate() {
+        let (before, own) = (&pair[0], &pair[1]);
         let check = Check { table: "lane_lengths", row: row + 1 };
         if own.lane() < before.lane() {
             return check.fail("lane", format!("at least {}", before.lane()), own.lane());
