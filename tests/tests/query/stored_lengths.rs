@@ -67,19 +67,20 @@ fn damaged_lengths_are_found_and_do_no_harm() {
     let compiled = compiled.expect("reading works");
     let mut rows = compiled.rows.expect("accepted");
     let sound = rows.lane_lengths.to_vec();
-    let damages: [(&str, &str, fn(&mut [LaneLengthRow])); 4] = [
-        ("lanes that fall", "lane_lengths", |rows| rows.reverse()),
-        ("an s twice", "lane_lengths", |rows| rows[1].s = rows[0].s),
-        ("a length that falls", "lane_lengths", |rows| rows[1].length = 0.0),
-        ("a lane that is not there", "lane_lengths", |rows| rows[1].lane = 77),
+    type Damage = fn(&mut [LaneLengthRow]);
+    let damages: [(&str, Damage); 4] = [
+        ("lanes that fall", |rows| rows.reverse()),
+        ("an s twice", |rows| rows[1].s = rows[0].s),
+        ("a length that falls", |rows| rows[1].length = 0.0),
+        ("a lane that is not there", |rows| rows[1].lane = 77),
     ];
-    for (what, table, damage) in damages {
+    for (what, damage) in damages {
         let mut stored = sound.clone();
         damage(&mut stored);
         rows.lane_lengths = stored.into();
         let bytes = encode(&rows, &compiled.provenance).expect("encodes");
         let told = verify(&bytes).err().expect(what).to_string();
-        assert!(told.contains(table), "{what}: {told}");
+        assert!(told.contains("lane_lengths"), "{what}: {told}");
         let snapshot = Snapshot::from_bytes(bytes).expect("opens: rows are not looked at");
         for lane in
             snapshot.map().road_by_id("1").expect("a road").section(0).expect("a section").lanes()
