@@ -20,6 +20,15 @@ pub fn travel_speed(limit: f64) -> f64 {
     mapd_geometry::clamp(limit, LOWEST_SPEED, UNLIMITED_SPEED)
 }
 
+/// The limit that a record says `[m/s]`; none where it says none.
+fn limit(kind: SpeedKind, value: f64) -> Option<f64> {
+    match kind {
+        SpeedKind::Value => Some(value),
+        SpeedKind::NoLimit => Some(f64::INFINITY),
+        _ => None,
+    }
+}
+
 /// What travelling along a lane between two places takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measures {
@@ -122,19 +131,25 @@ const FEW_RECORDS: usize = 32;
 /// another. Where the archive has them, [`Lane::length_between`] looks at no more than 16 at either end.
 pub fn lengths_along(lane: &Lane<'_>) -> Vec<(f64, f64)> {
     let end = lane.section().s_end().min(lane.road.reference_end());
-    let stretches = || lane.stretches(lane.section().s_start(), end);
-    if lane.most_stretches() <= FEW_RECORDS || stretches().nth(FEW_RECORDS).is_none() {
-        return Vec::new();
+    let each = |visit: &mut dyn FnMut(&Stretch<'_>)| {
+        lane.each_stretch(lane.section().s_start(), end, visit);
+    };
+    let (mut records, mut along, mut length) = (0, Vec::new(), 0.0);
+    if lane.most_stretches() > FEW_RECORDS {
+        each(&mut |_| records += 1);
     }
-    let mut length = 0.0;
-    let ends = stretches().map(|stretch| {
-        length += lane.smooth_length(&stretch);
-        (stretch.to, length)
+    if records <= FEW_RECORDS {
+        return along;
+    }
+    let mut number = 0;
+    each(&mut |stretch| {
+        number += 1;
+        length += lane.smooth_length(stretch);
+        if number % RECORDS_PER_LENGTH == 0 && number < records {
+            along.push((stretch.to, length));
+        }
     });
-    ends.skip(RECORDS_PER_LENGTH - 1)
-        .step_by(RECORDS_PER_LENGTH)
-        .filter(|(s, _)| *s < end)
-        .collect()
+    along
 }
 
 /// Most steps towards the place at a length along a lane: by halves alone there are fewer.
@@ -197,18 +212,26 @@ impl<'a> Lane<'a> {
         let end = section_end.min(self.road.reference_end());
         let inside = |s: f64| mapd_geometry::clamp(s, start, end.max(start));
         let (from, to) = (inside(a.min(b)), inside(a.max(b)));
-        let sum = |from, to| self.stretches(from, to).map(|part| self.smooth_length(&part)).sum();
-        let Some([first, last]) = self.stored_lengths(from, to) else { return sum(from, to) };
-        let (before, behind): (f64, f64) = (sum(from, first.s()), sum(last.s(), to));
+        if !self.map.tables().lane_lengths.is_empty() {
+            return self.length_by_stored(from, to);
+        }
+        self.length_of_records(from, to)
+    }
+
+    /// Length between two places, the lower one first, in a map that has lengths of some lanes.
+    #[inline(never)]
+    fn length_by_stored(&self, from: f64, to: f64) -> f64 {
+        let Some([first, last]) = self.stored_lengths(from, to) else {
+            return self.length_of_records(from, to);
+        };
+        let (before, behind) =
+            (self.length_of_records(from, first.s()), self.length_of_records(last.s(), to));
         before + (last.length() - first.length()) + behind
     }
 
     /// The first and the last place of two or more between two others up to which the lane's length is stored.
     fn stored_lengths(&self, from: f64, to: f64) -> Option<[&'a ArchivedLaneLengthRow; 2]> {
         let stored = self.map.tables().lane_lengths;
-        if stored.is_empty() {
-            return None;
-        }
         let is_before = |row: &ArchivedLaneLengthRow, s: f64| {
             row.lane() < self.row_number() || (row.lane() == self.row_number() && row.s() < s)
         };
@@ -218,17 +241,25 @@ impl<'a> Lane<'a> {
         (first < last && ends.iter().all(|row| row.lane() == self.row_number())).then_some(ends)
     }
 
-    /// The stretches from a place to another along each of which the same records hold.
-    fn stretches(&self, from: f64, to: f64) -> impl Iterator<Item = Stretch<'a>> {
+    /// Visits the stretches from a place to another along each of which the same records hold.
+    #[inline]
+    fn each_stretch(&self, from: f64, to: f64, mut visit: impl FnMut(&Stretch<'a>)) {
         let (mut held, mut s) = (CachedGeometry::NONE, from);
-        std::iter::from_fn(move || {
-            let from = Some(s).filter(|s| *s < to)?;
-            let piece = held.at(&self.road, from);
-            let Records { to: end, is_constant } = self.records_from(from, to.min(held.to));
+        while s < to {
+            let piece = held.at(&self.road, s);
+            let Records { to: end, is_constant } = self.records_from(s, to.min(held.to));
             // Records of a damaged archive may begin nowhere.
-            s = if end > from { end } else { to };
-            Some(Stretch { from, to: s, piece, is_constant })
-        })
+            let end = if end > s { end } else { to };
+            visit(&Stretch { from: s, to: end, piece, is_constant });
+            s = end;
+        }
+    }
+
+    /// Length between two places, the lower one first, by all records between.
+    fn length_of_records(&self, from: f64, to: f64) -> f64 {
+        let mut sum = 0.0;
+        self.each_stretch(from, to, |stretch| sum += self.smooth_length(stretch));
+        sum
     }
 
     /// Stretches of the whole lane, at most.
@@ -243,6 +274,7 @@ impl<'a> Lane<'a> {
     }
 
     /// Length of a stretch.
+    #[inline]
     fn smooth_length(&self, stretch: &Stretch<'_>) -> f64 {
         let Stretch { from, to, piece, is_constant } = *stretch;
         // A damaged archive.
@@ -300,12 +332,21 @@ impl<'a> Lane<'a> {
 
     /// As [`Self::time_between`], of finite s that ascend. `length` is that of a stretch.
     fn time_of(&self, from: f64, to: f64, length: impl Fn(f64, f64) -> f64) -> f64 {
+        let (mut own, mut of_road) = (self.speeds().peekable(), self.road.types().peekable());
+        let (mut own_limit, mut limit_of_road) = (None, None);
         let (mut time, mut last) = (0.0, from);
         loop {
-            let changes = self.speeds().map(|record| record.s);
-            let changes = changes.chain(self.road.types().map(|record| record.s));
+            while let Some(record) = own.next_if(|record| record.s <= last) {
+                own_limit = limit(record.kind, record.max);
+            }
+            while let Some(record) = of_road.next_if(|record| record.s <= last) {
+                limit_of_road = limit(record.speed_kind, record.speed);
+            }
+            let changes =
+                [own.peek().map(|record| record.s), of_road.peek().map(|record| record.s)];
+            let changes = changes.into_iter().flatten();
             let next = changes.filter(|s| *s > last && *s < to).fold(to, f64::min);
-            let speed = self.speed_limit_at(0.5 * (last + next)).unwrap_or(ASSUMED_SPEED);
+            let speed = own_limit.or(limit_of_road).unwrap_or(ASSUMED_SPEED);
             time += length(last, next) / travel_speed(speed);
             if next >= to {
                 return time;
@@ -321,11 +362,6 @@ impl<'a> Lane<'a> {
         if !s.is_finite() {
             return None;
         }
-        let limit = |kind: SpeedKind, value: f64| match kind {
-            SpeedKind::Value => Some(value),
-            SpeedKind::NoLimit => Some(f64::INFINITY),
-            _ => None,
-        };
         let own = self.speeds().take_while(|record| record.s <= s).last();
         let own = own.and_then(|record| limit(record.kind, record.max));
         own.or_else(|| {

@@ -133,3 +133,29 @@ fn geometries_are_not_looked_through_for_each_other() {
     let rows = rows(soon("fewer geometries in a metre", &text.replace(&shapes, &few)));
     assert_eq!(rows.geometries.len(), COUNT / 4);
 }
+
+/// Times along lanes looked at all records of speed for each of them: 20,000 took seconds, and ten times as many minutes.
+#[test]
+fn records_of_speed_are_looked_at_once() {
+    const RECORDS: usize = 100_000;
+    let s = |i: usize| i as f64 / RECORDS as f64;
+    let speeds: String = (0..RECORDS)
+        .map(|i| format!(r#"<speed sOffset="{}" max="{}"/>"#, s(i), 10 + i % 7))
+        .collect();
+    let types: String = (0..RECORDS)
+        .map(|i| format!(r#"<type s="{}" type="town"><speed max="{}"/></type>"#, s(i), 10 + i % 7))
+        .collect();
+    let of_lane =
+        map_of(&metre("1", 0.0).replace("</lane></right>", &format!("{speeds}</lane></right>")));
+    let of_road = map_of(&metre("1", 0.0).replace("<planView>", &format!("{types}<planView>")));
+    for (what, text) in [("speeds of a lane", of_lane), ("types of a road", of_road)] {
+        let rows = rows(soon(what, &text));
+        let times: Vec<f32> = rows.lane_nodes.iter().map(|node| node.time).collect();
+        // Each of 10 to 16 m/s holds for a seventh of the metre.
+        let expected: f32 = (10..17).map(|speed| 1.0 / 7.0 / speed as f32).sum();
+        assert!(
+            times.iter().any(|time| (time - expected).abs() < 1e-5),
+            "{what}: {times:?}, not {expected}"
+        );
+    }
+}
