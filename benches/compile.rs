@@ -10,6 +10,9 @@ use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+/// Threads that the model is asked for beyond those of this machine.
+const MANY: u32 = 16;
+
 /// A stage of a compilation, and what it took.
 #[derive(Clone, Copy)]
 struct Stage {
@@ -75,6 +78,35 @@ fn best_stages(runs: usize, path: &Path, archive: &Path) -> String {
         format!("{} {time:.1?} ({computed:.1?}, {alone:.1?}, {waited:.1?})", stage.name)
     });
     texts.collect::<Vec<_>>().join(", ")
+}
+
+/// What a number of threads would take by the stages of one compilation on two: what one thread computes alone does not get shorter, nor do waits; the rest
+/// is shared among all.
+fn model(stages: &[Stage], threads: u32) -> Duration {
+    let cores = std::thread::available_parallelism().map_or(1, |cores| cores.get() as u32);
+    stages.iter().map(|s| s.alone.max(s.computed / threads) + s.waited / cores).sum()
+}
+
+/// The best compilation with so many threads.
+fn measured(runs: usize, path: &Path, archive: &Path, threads: usize) -> Duration {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+    let whole = |stages: Vec<Stage>| stages.iter().map(|stage| stage.time).sum();
+    let times = (0..runs).map(|_| whole(pool.install(|| stages(path, archive))));
+    times.min().unwrap_or_default()
+}
+
+/// How the stages scale: the model of the best run on all cores beside what is measured, and what more threads would make of it.
+fn scaling(runs: usize, path: &Path, archive: &Path) -> String {
+    let whole = |stages: &Vec<Stage>| stages.iter().map(|stage| stage.time).sum::<Duration>();
+    let best = (0..runs).map(|_| stages(path, archive)).min_by_key(whole).unwrap_or_default();
+    let bytes = std::fs::metadata(path).expect("the map").len() as f64;
+    let [one, two, many] = [1, 2, MANY].map(|threads| model(&best, threads));
+    format!(
+        "1 thread {one:.1?}, measured {:.1?}; 2 threads {two:.1?}, measured {:.1?}; {MANY} threads {many:.1?}, {:.2} GB/s",
+        measured(runs, path, archive, 1),
+        whole(&best),
+        bytes / many.as_secs_f64() / 1e9
+    )
 }
 
 /// How long the program that `PEER` names loads a map; none without one, or where it gives up.
@@ -158,5 +190,6 @@ fn main() {
             "  {name} by stage (computed, of it by the first thread, cores waited): {}",
             best_stages(runs, &path, &archive)
         ));
+        print(&format!("  {name} by model: {}", scaling(runs, &path, &archive)));
     }
 }

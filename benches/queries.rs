@@ -159,6 +159,31 @@ fn print_pair(what: &str, count: usize, single: Duration, together: Duration) {
     ));
 }
 
+/// What is asked of a lane that is known, against the place on its road's reference line alone.
+fn on_known_lane(map: Map<'_>, what: &str, points: &[DVec2]) {
+    let options = NearestOptions::default();
+    let lane = |at: &DVec2| map.lane(map.nearest_lane(*at, &options).ok()??.lane).ok();
+    let known: Vec<_> = points.iter().filter_map(|at| Some((*at, lane(at)?))).collect();
+    let [track, ..] = time(&known, |(at, lane)| {
+        black_box(lane.road().to_track(*at).expect("a foot"));
+    });
+    let [position, ..] = time(&known, |(at, lane)| {
+        black_box(lane.position_of(*at).expect("a place"));
+    });
+    let [contains, ..] = time(&known, |(at, lane)| {
+        black_box(lane.contains(*at).expect("an answer"));
+    });
+    let ratio = |time: Duration| time.as_secs_f64() / track.as_secs_f64();
+    print(&format!(
+        "on a known lane, {what}: to_track p50 {}; position_of {} ({:.2} ×), contains {} ({:.2} ×)",
+        ns(track),
+        ns(position),
+        ratio(position),
+        ns(contains),
+        ratio(contains)
+    ));
+}
+
 fn main() {
     let folder = tempfile::tempdir().expect("a folder");
     for (name, path) in maps(folder.path()) {
@@ -239,6 +264,7 @@ fn main() {
                 ns(rstar),
                 ratio(rstar)
             ));
+            on_known_lane(map, &format!("{name}, {kind}"), &points);
             let [to_xyz, to_xyz99, to_xyz1] = time(&places, |place| {
                 black_box(track(place));
             });
