@@ -12,9 +12,10 @@ use foxglove::messages::Timestamp;
 use mapd::draft;
 use mapd::exit::{Exit, explained};
 use mapd::progress::{Manner, Meter};
-use mapd::source::{self, Attaching, Compiling, Opened, WAIT};
+use mapd::source::{self, Attaching, Compiling, Opened, Source, WAIT};
 use mapd_client::{Attach, Domain, Snapshot};
 use mapd_compiler::{CompileOptions, ReadOptions};
+use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -25,7 +26,7 @@ use std::time::Duration;
 #[command(version)]
 struct Arguments {
     /// .xodr, .mapd or shm:NAME
-    source: String,
+    source: OsString,
     /// File to write
     #[arg(short, long, value_name = "OUT.mcap")]
     output: PathBuf,
@@ -59,6 +60,7 @@ fn run(arguments: Arguments) -> Result<Exit> {
         Path::new(&source),
         if quiet { Manner::Silent } else { Manner::Lines(INTERVAL) },
     );
+    let source = Source::from(source);
     let Some(map) = open(&source, &meter)? else {
         let _ = writeln!(
             std::io::stderr(),
@@ -94,7 +96,7 @@ fn given(text: &str) -> Result<Timestamp> {
 /// Opens a SOURCE as `mapd export` does without options; none where the map is rejected.
 ///
 /// Errors: it cannot be read.
-fn open(source: &str, meter: &Meter) -> Result<Option<Snapshot>> {
+fn open(source: &Source, meter: &Meter) -> Result<Option<Snapshot>> {
     let compiling =
         Compiling { reading: &ReadOptions::default(), options: &CompileOptions::default() };
     let domain = Domain::from_env()?;
