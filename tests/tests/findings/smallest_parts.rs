@@ -319,3 +319,30 @@ fn an_id_twice_is_said_once_and_not_where_its_rule_is_off() {
     let section = road.section(0).expect("is there");
     assert_eq!(section.lanes().filter(|lane| lane.number() == -1).count(), 1);
 }
+
+/// What cannot be read counted as 0, and rules told of what followed: a road shorter than its geometries, objects beyond its end.
+#[test]
+fn what_cannot_be_read_is_told_once() {
+    let sound = document(
+        &ObjectRoad { version: "1.7", ..PLAIN },
+        r#"<object id="7" type="pole" s="30" t="4" zOffset="0" orientation="none" radius="0.1" height="1"><repeat s="20" length="10" distance="5" tStart="4" tEnd="4" heightStart="1" heightEnd="1" zOffsetStart="0" zOffsetEnd="0"/></object>"#,
+    );
+    let tags: [(&str, &str); 4] =
+        [("road", "length"), ("geometry", "length"), ("width", "a"), ("object", "t")];
+    for (tag, attribute) in tags {
+        for (value, rule) in [("abc", "mapd:value.type"), ("nan", "mapd:value.finite")] {
+            let start = sound.find(&format!("<{tag} ")).expect("a tag");
+            let from =
+                start + sound[start..].find(&format!(" {attribute}=\"")).expect("an attribute");
+            let from = from + attribute.len() + 3;
+            let to = from + sound[from..].find('"').expect("an end");
+            let text = format!("{}{value}{}", &sound[..from], &sound[to..]);
+            let compiled = compile(&text);
+            let mut rules: Vec<&str> =
+                compiled.diagnostics.iter().map(|told| told.finding.rule).collect();
+            // Of a map whose only road is left out, this is true.
+            rules.retain(|rule| *rule != "mapd:compile.no_roads");
+            assert_eq!(rules, [rule], "{tag}/@{attribute}: {:?}", compiled.diagnostics);
+        }
+    }
+}

@@ -101,7 +101,8 @@ fn lengths(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 
 fn boundaries(of: &SectionIn<'_>, sink: &mut Sink<'_>) {
     let (s, length) = (of.s(), number(&of.road.length));
-    if s > length + ROUNDING.value || (s >= length && of.index > 0) {
+    let is_known = of.road.length.is_some();
+    if is_known && (s > length + ROUNDING.value || (s >= length && of.index > 0)) {
         sink.add(of.section.span, format_args!("a section within the road's {length} m"), s);
         return;
     }

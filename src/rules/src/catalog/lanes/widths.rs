@@ -107,7 +107,9 @@ fn long_without(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
         let length = end - start;
         // The next record holds at its own start.
         let before_end = start + 0.999 * length;
-        if length > LONG.value
+        // What cannot be read is told of as such.
+        if width.a.is_some()
+            && length > LONG.value
             && [start, start + length / 3.0, start + length / 1.5, before_end]
                 .into_iter()
                 .all(is_none)

@@ -125,8 +125,8 @@ fn kind(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn on_road(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
-    let Some(road) = of.road else { return };
-    let (s, length) = (number(&of.object.s), number(&road.length));
+    let Some(length) = of.road.and_then(|road| road.length) else { return };
+    let (s, length) = (number(&of.object.s), length.value);
     if s < -BEHIND.value || s > length + BEHIND.value {
         sink.add(of.object.span, format_args!("s from 0 to {length}, the road's length"), s);
     }

@@ -134,8 +134,8 @@ fn own_frame(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn on_road(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
-    let Some(road) = of.road else { return };
-    let length = number(&road.length);
+    let Some(length) = of.road.and_then(|road| road.length) else { return };
+    let length = length.value;
     for repeat in &of.object.repeat {
         let (start, end) = (number(&repeat.s), number(&repeat.s) + number(&repeat.length));
         if start < -BEHIND.value || end > length + BEHIND.value {

@@ -198,8 +198,11 @@ fn s_is_sum(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn length_is_sum(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
-    let (all, length) = (geometries(of), number(&of.road.length));
-    let sum: f64 = all.iter().map(|geometry| number(&geometry.length)).sum();
+    let all = geometries(of);
+    // A length that is missing or cannot be read is told of as such.
+    let lengths = all.iter().map(|geometry| Some(geometry.length?.value));
+    let (Some(length), Some(sum)) = (of.road.length, lengths.sum::<Option<f64>>()) else { return };
+    let length = length.value;
     if !all.is_empty() && (length - sum).abs() > LENGTH.value {
         let expected = format_args!("a length of {sum} m, that of the geometries together");
         sink.add_within("@length", of.road.span, expected, format_args!("{length} m"));

@@ -57,7 +57,8 @@ fn country(of: &SignalIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn on_road(of: &SignalIn<'_>, sink: &mut Sink<'_>) {
-    let (s, length) = (number(&of.signal.s), number(&of.road.length));
+    let Some(length) = of.road.length else { return };
+    let (s, length) = (number(&of.signal.s), length.value);
     if s < -BEHIND.value || s > length + BEHIND.value {
         sink.add(of.signal.span, format_args!("s from 0 to {length}, the road's length"), s);
     }
