@@ -50,6 +50,19 @@ fn no_option_takes_a_number_that_is_not_finite() {
     assert!(numbers > 30, "{numbers} options take numbers");
 }
 
+/// `--jobs 0` and `--scrub 0` were refused with words about types.
+#[test]
+fn a_zero_is_refused_in_plain_words() {
+    let program = env!("CARGO_BIN_EXE_mapd_under_test");
+    let road = mapd_tests::carried("one_road.xodr").display().to_string();
+    for line in [&["compile", &road, "--jobs", "0"][..], &["--load", &road, "--scrub", "0"]] {
+        let output = command::run(program, line, "");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{line:?}: {said}");
+        assert!(said.contains("expected a whole number of at least 1"), "{line:?}: {said}");
+    }
+}
+
 /// `--threads 4000` once did not end.
 #[test]
 fn threads_are_bounded() {

@@ -20,7 +20,7 @@ pub(crate) use build::BuildArgs;
 pub(crate) use domain::DomainArgs;
 pub(crate) use frame::FrameArgs;
 pub(crate) use judging::JudgingArgs;
-pub(crate) use number::{Seconds, finite, not_negative};
+pub(crate) use number::{Seconds, at_least_one, finite, not_negative};
 pub(crate) use ontology::OntologyArgs;
 pub(crate) use opening::{AttachArgs, Live, OpenedSource, Opening};
 pub(crate) use progress::ProgressArgs;

@@ -14,6 +14,7 @@ mod rounds;
 mod scrubber;
 mod self_query;
 
+use crate::args::at_least_one;
 use crate::control::Board;
 use crate::exit::UsageError;
 use anyhow::{Context, Result, bail};
@@ -40,7 +41,7 @@ pub(crate) struct OversightArgs {
     metrics_open: bool,
 
     /// Verify every byte of the served maps at this interval [s]
-    #[arg(long, value_name = "SECONDS")]
+    #[arg(long, value_name = "SECONDS", value_parser = at_least_one::<NonZeroU32>)]
     scrub: Option<NonZeroU32>,
 }
 

@@ -11,6 +11,7 @@ use crate::args::CompileArguments;
 use crate::args::JudgingArgs;
 use crate::args::ProgressArgs;
 use crate::args::Size;
+use crate::args::at_least_one;
 use crate::args::{ThreadCount, ThreadsArg};
 use crate::child::{self, ChildReport, End, Message, Output, Work};
 use crate::draft;
@@ -70,7 +71,7 @@ pub(crate) struct CompileCommand {
     force: bool,
 
     /// Tiles to compile at once [default: number of cores]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = at_least_one::<NonZeroUsize>)]
     jobs: Option<NonZeroUsize>,
 
     /// Write the table of tiles as JSON
