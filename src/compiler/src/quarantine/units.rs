@@ -82,7 +82,8 @@ pub(crate) struct Units {
     begins: Vec<Begin>,
     /// Parts that [`Begin`] has no room for: their owner is in another file or more than 4 GiB before, or they go on behind a part of theirs.
     far: Vec<Unit>,
-    is_sorted: bool,
+    /// Whether some places do not ascend: those of included files.
+    is_unsorted: bool,
 }
 
 impl Units {
@@ -114,9 +115,8 @@ impl Units {
 
     /// The part that a place is in; none before the first.
     pub(crate) fn of(&mut self, place: u64) -> Option<Unit> {
-        if !self.is_sorted {
+        if std::mem::take(&mut self.is_unsorted) {
             self.begins.sort_by_key(|begin| begin.place);
-            self.is_sorted = true;
         }
         let after = self.begins.partition_point(|begin| begin.place <= place);
         self.unit(*self.begins.get(after.checked_sub(1)?)?)
@@ -129,18 +129,18 @@ impl Units {
 
     /// Takes the places of the parts of the elements that come next.
     pub(crate) fn append(&mut self, next: Self) {
-        self.is_sorted = false;
-        let far = self.far.len() as u32;
+        let (far, before) = (self.far.len() as u32, self.begins.len());
+        self.is_unsorted |= next.is_unsorted;
         self.far.extend(next.far);
         self.begins.extend(next.begins.into_iter().map(|begin| match begin.start {
             Start::Far => Begin { owner: begin.owner.saturating_add(far), ..begin },
             Start::Here | Start::AtOwner => begin,
         }));
+        self.joined(before);
     }
 
     /// Takes the places of a top-level element's parts.
     pub(crate) fn add(&mut self, item: &Item) {
-        self.is_sorted = false;
         let before = self.begins.len();
         match item {
             Item::Header(_) => {}
@@ -152,6 +152,14 @@ impl Units {
             Item::VmsGroup(group) => self.top(PartKind::Other, group.span),
         }
         self.unite(before);
+        self.joined(before);
+    }
+
+    /// Notes whether the places from a rank on, which ascend, go on behind those before: to sort all for each element would take the
+    /// square of their number.
+    fn joined(&mut self, before: usize) {
+        let pair = before.checked_sub(1).and_then(|last| self.begins.get(last..=before));
+        self.is_unsorted |= pair.is_some_and(|pair| pair[0].place > pair[1].place);
     }
 
     /// Leaves out of one element's places, which are the last ones, those that say what the one before them in the same file
