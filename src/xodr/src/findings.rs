@@ -231,8 +231,13 @@ impl Findings {
                 (what, "") | ("", what) => what.to_owned(),
                 (element, detail) => format!("{element}, {detail}"),
             };
-            let message =
-                format!("{} more findings like this ({what}), the first of them here", more.count);
+            let more_than_none = if self.limit == 0 { "" } else { " more" };
+            let message = match more.count {
+                1 => format!("one{more_than_none} finding like this ({what})"),
+                count => format!(
+                    "{count}{more_than_none} findings like this ({what}), the first of them here"
+                ),
+            };
             let More { span, path, count } = more;
             let (subject, hint) = ((&*detail).into(), String::new());
             let finding = Finding { rule, severity, span, path, subject, message, hint, count };

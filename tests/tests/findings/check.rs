@@ -186,8 +186,14 @@ fn a_missing_file_is_not_blamed_on_what_stands_before() {
 #[test]
 fn limits_are_options() {
     let text = document(&"<tree/>".repeat(5));
-    let (out, _) = check("a.xodr", text.as_bytes(), &["--max-findings", "2"]);
-    assert!(out.contains("3 more findings like this"), "{out}");
+    for (limit, words) in [
+        ("2", "3 more findings like this"),
+        ("4", "one more finding like this"),
+        ("0", ": 5 findings like this"),
+    ] {
+        let (out, _) = check("a.xodr", text.as_bytes(), &["--all", "--max-findings", limit]);
+        assert!(out.contains(words), "{out}");
+    }
     for limit in [
         ["--max-depth", "3"],
         ["--max-attribute-length", "20"],

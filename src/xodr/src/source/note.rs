@@ -97,7 +97,7 @@ pub enum RefusalKind {
     #[error("expected an encoding that is read, found {0:?}")]
     UnknownEncoding(String),
     /// The compressed data is damaged or ends early.
-    #[error("expected gzip data, found others ({0})")]
+    #[error("expected gzip data, found other data ({0})")]
     Gzip(String),
     /// Gzip within gzip.
     #[error("expected XML within gzip, found gzip again")]
