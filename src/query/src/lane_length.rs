@@ -48,7 +48,7 @@ pub fn measures_between(lane: &Lane<'_>, a: f64, b: f64) -> Measures {
     let length = |from: f64, to: f64| {
         if from == low && to == high { whole } else { lane.length_between(from, to) }
     };
-    Measures { length: whole, time: lane.time_of(low, high, length) }
+    Measures { length: whole, time: lane.time_of(low, high, &length) }
 }
 
 /// A piece of the reference line, from which s on and up to which one it holds. Places that are asked for one behind the other
@@ -255,7 +255,8 @@ impl<'a> Lane<'a> {
         }
     }
 
-    /// Length between two places, the lower one first, by all records between.
+    /// Length between two places, the lower one first, by all records between. There once: three ask.
+    #[inline(never)]
     fn length_of_records(&self, from: f64, to: f64) -> f64 {
         let mut sum = 0.0;
         self.each_stretch(from, to, |stretch| sum += self.smooth_length(stretch));
@@ -327,11 +328,12 @@ impl<'a> Lane<'a> {
         if !(a.is_finite() && b.is_finite()) {
             return f64::NAN;
         }
-        self.time_of(a.min(b), a.max(b), |from, to| self.length_between(from, to))
+        self.time_of(a.min(b), a.max(b), &|from, to| self.length_between(from, to))
     }
 
     /// As [`Self::time_between`], of finite s that ascend. `length` is that of a stretch.
-    fn time_of(&self, from: f64, to: f64, length: impl Fn(f64, f64) -> f64) -> f64 {
+    #[inline(never)]
+    fn time_of(&self, from: f64, to: f64, length: &dyn Fn(f64, f64) -> f64) -> f64 {
         let (mut own, mut of_road) = (self.speeds().peekable(), self.road.types().peekable());
         let (mut own_limit, mut limit_of_road) = (None, None);
         let (mut time, mut last) = (0.0, from);
