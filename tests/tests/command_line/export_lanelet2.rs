@@ -554,6 +554,48 @@ fn a_map_without_a_georeference_wants_an_origin_and_only_such_a_map() {
     }
 }
 
+/// Borders that jump right before the end of their section run up to the jump.
+#[test]
+fn a_border_runs_up_to_where_it_jumps() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("map.xodr");
+    let section = |s: f64, link: &str| {
+        format!(
+            r#"<laneSection s="{s}"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link>{link}</link>
+            <width sOffset="0" a="4" b="0" c="0" d="0"/></lane></right></laneSection>"#
+        )
+    };
+    for jump in [50.0 - 1e-8, 50.0 - 1e-4, 50.0, 50.0 + 1e-8, 50.0 + 1e-4] {
+        let text = format!(
+            r#"<OpenDRIVE><header revMajor="1" revMinor="8"><geoReference>+proj=utm +zone=32 +datum=WGS84</geoReference></header>
+            <road id="1" length="100" junction="-1"><planView><geometry s="0" x="500000" y="5400000" hdg="0" length="100"><line/></geometry></planView>
+            <lanes><laneOffset s="0" a="0" b="0" c="0" d="0"/><laneOffset s="{jump}" a="3" b="0" c="0" d="0"/>{}{}</lanes></road></OpenDRIVE>"#,
+            section(0.0, r#"<successor id="-1"/>"#),
+            section(50.0, r#"<predecessor id="-1"/>"#),
+        );
+        fs::write(&path, text).expect("written");
+        let snapshot = open(&path);
+        let map = snapshot.map();
+        let (osm, ..) = export(map, &path);
+        let corner = |x: f64, y: f64| DVec3::new(500_000.0 + x, 5_400_000.0 + y, 0.0);
+        let all = lanelets(map, &osm);
+        let near = |place: DVec3| {
+            let points = all.iter().flat_map(|lanelet| lanelet.borders.iter().flatten());
+            points.filter(|node| osm.place(**node).distance(place) < 0.01).count()
+        };
+        for (x, y) in [(50.0, 0.0), (50.0, -4.0), (50.0, 3.0), (50.0, -1.0)] {
+            assert!(near(corner(x, y)) > 0, "{jump}: nothing at {x}, {y}");
+        }
+        assert_eq!(all.len(), 2, "{jump}");
+        for node in all.iter().flat_map(|lanelet| lanelet.borders.iter().flatten()) {
+            let place = osm.place(*node) - corner(0.0, 0.0);
+            let edges = if place.x < 50.0 { [0.0, -4.0] } else { [3.0, -1.0] };
+            let is_at_edge = edges.iter().any(|y| (place.y - y).abs() < 0.01);
+            assert!(is_at_edge || (place.x - 50.0).abs() < 0.01, "{jump}: {place}");
+        }
+    }
+}
+
 /// With `--autoware` a crosswalk has the rule that refers to it, and a stop sign is called as Autoware calls it; without, neither is there.
 #[test]
 fn autoware_has_its_crosswalks_and_stop_signs() {

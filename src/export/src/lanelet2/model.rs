@@ -179,7 +179,7 @@ impl<'a> Model<'a> {
         let inner = stretch.inner_points(line.border, line.piece);
         let is_free = |point: &DVec3| ends.iter().all(|(end, reach)| point.distance(*end) > *reach);
         let [(first, _), (last, _)] = ends;
-        let inner = inner.filter(is_free);
+        let inner = inner.into_iter().filter(is_free);
         let mut points: Vec<DVec3> = [first].into_iter().chain(inner).chain([last]).collect();
         if self.cut.contains(&stretch.corner(line.border, line.piece)) {
             cut_loops(&mut points);

@@ -11,8 +11,10 @@ use std::collections::HashMap;
 
 /// Shortest piece `[m]`: a cut nearer to another is left out, and a section that is shorter becomes part of its neighbours.
 pub(super) const SHORTEST: f64 = 0.1;
-/// Points of a border that are nearer to its ends than this along the road are left out `[m]`.
+/// Points of a border that are nearer to its ends than this along the road are those ends, but for what jumps there `[m]`.
 const SAME_PLACE: f64 = 1e-3;
+/// What is nearer to an end than this does not jump there `[m]`.
+const SAME_POINT: f64 = 0.01;
 
 /// A lane section with the places where its lanes are cut.
 pub(super) struct Stretch<'a> {
@@ -123,17 +125,26 @@ impl<'a> Stretch<'a> {
         self.section.s_end() - self.section.s_start()
     }
 
-    /// The points of a border within a piece, its ends left out, in ascending s.
-    pub(super) fn inner_points(
-        &self,
-        border: u32,
-        piece: u32,
-    ) -> impl Iterator<Item = DVec3> + use<'a> {
+    /// The points of a border within a piece, its ends left out, in ascending s. Where the border jumps at an end, the side of the jump that lies
+    /// within the piece is not that end.
+    pub(super) fn inner_points(&self, border: u32, piece: u32) -> Vec<DVec3> {
         let (from, to) = self.piece(piece).unwrap_or((0.0, 0.0));
-        let line = self.lanes.get(border as usize).map(|lane| lane.border());
-        let points = line.into_iter().flat_map(|line| line.points());
-        let is_within = move |at: &LinePoint| from + SAME_PLACE < at.s && at.s < to - SAME_PLACE;
-        points.filter(is_within).map(|at| at.position)
+        let Some(lane) = self.lanes.get(border as usize) else { return Vec::new() };
+        let line = lane.border();
+        let is_within = |at: &LinePoint| from - SAME_PLACE < at.s && at.s < to + SAME_PLACE;
+        let points: Vec<LinePoint> = line.points().filter(is_within).collect();
+        let reach = line.rounding() + SAME_POINT;
+        let is_end = |s: f64| {
+            let end = lane.edge_points_at(s).map_or(DVec3::NAN, |[_, outer]| outer);
+            move |at: &LinePoint| at.position.distance(end) <= reach
+        };
+        let head = points.partition_point(|at| at.s <= from + SAME_PLACE);
+        let tail = points.partition_point(|at| at.s < to - SAME_PLACE).max(head);
+        let (heads, tails) = (points.get(..head), points.get(tail..));
+        let first = heads.and_then(|heads| heads.iter().rposition(is_end(from)));
+        let last = tails.and_then(|tails| tails.iter().position(is_end(to)));
+        let range = first.map_or(head, |at| at + 1)..tail + last.unwrap_or(0);
+        points.get(range).unwrap_or(&[]).iter().map(|at| at.position).collect()
     }
 }
 
