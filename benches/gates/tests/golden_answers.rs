@@ -19,7 +19,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
     (
         "one_road.xodr",
         [
-            "b7753ddd497de525",
+            "33be7d962fb4c3f4",
             "b4cde566b29d2246",
             "80820b4f544cf40b",
             "aa5b17d66c34625b",
@@ -30,7 +30,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
     (
         "town.xodr",
         [
-            "5191dd4bd5cd783a",
+            "214a781b49bdcbf8",
             "ea45a951299e9bc2",
             "478062eb84ea2643",
             "609bc47775016277",
@@ -41,7 +41,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
     (
         "surfaces.xodr",
         [
-            "b2a8d3e8f7bb6cb6",
+            "59b7497fdda2b51b",
             "93bd04da74df0c3e",
             "7886959d604ac67e",
             "69ee5a1897b71992",

@@ -52,9 +52,10 @@ pub(crate) fn descend(
         let ahead = gap.dot(jet.first);
         let speed = jet.first.length_squared();
         let bend = speed - gap.dot(jet.second);
-        let slope = if bend > MIN_BEND * speed { bend } else { speed };
-        let step = ahead / slope;
-        let settled = step.abs() <= CONVERGED;
+        let is_newton = bend > MIN_BEND * speed;
+        let step = ahead / if is_newton { bend } else { speed };
+        // A step that is not Newton's says how far the target is ahead, not how far the foot is.
+        let settled = step.abs() <= if is_newton { CONVERGED } else { POINT };
         if settled && bend < 0.0 && on_a_peak {
             // A seed exactly at the farthest point: leave it towards the longer side.
             on_a_peak = false;

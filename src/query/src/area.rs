@@ -3,6 +3,8 @@
 //! The index proposes a slab: a lane between two values of s within one plan-view geometry. Here the curve itself
 //! decides: foot on the reference line, edges from the file's polynomials.
 
+use crate::beside::Beside;
+use crate::folds;
 use crate::lane::Lane;
 use crate::polyline::segment_ends;
 use crate::profile::At;
@@ -19,13 +21,13 @@ const BORDER_STEP: f64 = 1e-10;
 /// Nearness to the border's centre of curvature, as a share of the radius, below which Newton's method is not trusted.
 const MIN_CONTRACTION: f64 = 0.5;
 /// Beside an edge by more than this `[m]` is not on it.
-const EDGE: f64 = 1e-9;
+pub(crate) const EDGE: f64 = 1e-9;
 /// Bend of a border's t, times the point's distance, up to which the border counts as convex.
 const MAX_SWING: f64 = 0.25;
 /// Parts of a stretch that are looked at where it is not.
 const SEARCH_PARTS: usize = 8;
-/// Narrowings to two thirds around the nearest of them: from metres to a nanometre.
-const NARROWINGS: usize = 52;
+/// Halvings of a part in which there is a foot: from metres to a picometre.
+const HALVINGS: usize = 40;
 
 /// A stretch of a lane.
 #[derive(Clone, Copy)]
@@ -47,7 +49,7 @@ impl Slab<'_> {
     }
 
     #[inline]
-    fn middle(&self) -> f64 {
+    pub(crate) fn middle(&self) -> f64 {
         0.5 * (self.s_lo + self.s_hi)
     }
 
@@ -156,18 +158,18 @@ impl Cross for Lane<'_> {
 }
 
 /// A place across a lane, at a foot on the reference line.
-struct LateralPlace {
-    at: At,
+pub(crate) struct LateralPlace {
+    pub(crate) at: At,
     /// Cosine and sine of the superelevation.
     roll: (f64, f64),
     /// t of the point `[m]`.
-    t: f64,
+    pub(crate) t: f64,
     edges: LaneEdges,
 }
 
 impl LateralPlace {
     #[inline(always)]
-    fn new(cross: &impl Cross, slab: &Slab<'_>, u: f64, lateral: f64) -> Self {
+    pub(crate) fn new(cross: &impl Cross, slab: &Slab<'_>, u: f64, lateral: f64) -> Self {
         let at = slab.at(clamp(slab.piece.s + u, slab.s_lo, slab.s_hi));
         let roll = cross.roll(at);
         Self { at, roll, t: lateral / roll.0, edges: cross.edges(at) }
@@ -175,9 +177,15 @@ impl LateralPlace {
 
     /// t of the lane's edges, the lower one first `[m]`.
     #[inline]
-    fn sides(&self) -> [f64; 2] {
+    pub(crate) fn sides(&self) -> [f64; 2] {
         let LaneEdges { inner, outer } = self.edges;
         [inner.min(outer), inner.max(outer)]
+    }
+
+    /// How far the point lies to the left of the lane's left edge or, negative, to the right of its right one, in plan view `[m]`; 0 between them.
+    pub(crate) fn past(&self) -> f64 {
+        let [low, high] = self.sides();
+        (self.t - clamp(self.t, low, high)) * self.roll.0
     }
 
     #[inline]
@@ -197,6 +205,21 @@ impl LateralPlace {
         let outer = (self.t > self.sides()[1]) == outwards;
         Border { lane, slab, local, outer }.distance(self.at.s)
     }
+}
+
+/// How a point lies at an s, and how far ahead of its cross-section `[m]`. Generated once: only what is rarely asked looks at many places.
+#[inline(never)]
+pub(crate) fn across(
+    lane: &Lane<'_>,
+    slab: &Slab<'_>,
+    local: DVec2,
+    s: f64,
+) -> (LateralPlace, f64) {
+    let u = s - slab.piece.s;
+    let point = slab.piece.curve.tangent(u);
+    let away = local - DVec2::new(point.x, point.y);
+    let lateral = DVec2::new(-point.sin, point.cos).dot(away);
+    (LateralPlace::new(lane, slab, u, lateral), DVec2::new(point.cos, point.sin).dot(away))
 }
 
 /// A place found in a stretch of a lane. What nothing is decided by, it tells when asked.
@@ -219,7 +242,12 @@ pub(crate) struct SlabPosition<'a> {
 
 impl<'a> SlabPosition<'a> {
     #[inline]
-    fn new(slab: &Slab<'a>, across: &LateralPlace, distance: f64, is_beyond: bool) -> Self {
+    pub(crate) fn new(
+        slab: &Slab<'a>,
+        across: &LateralPlace,
+        distance: f64,
+        is_beyond: bool,
+    ) -> Self {
         Self {
             geometry: slab.geometry,
             at: across.at,
@@ -363,7 +391,23 @@ pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabP
     if beside {
         distance = distance.min(across.border_distance(lane, slab, local));
     }
-    SlabPosition::new(slab, &across, distance, beyond.is_some())
+    let place = SlabPosition::new(slab, &across, distance, beyond.is_some());
+    // Of a line or an arc it is told for less that none of its cross-sections cross.
+    let may_fold = |curvature: f64| folds::may_reach(curvature, across.sides());
+    if curve.even_curvature_up_to(last).is_none_or(may_fold) && distance > 0.0 {
+        return folds::place(lane, slab, local, place);
+    }
+    place
+}
+
+/// As [`place`], by a call: for all who ask of one slab after another, but for those who ask of most.
+#[inline(never)]
+pub(crate) fn place_by_call<'a>(
+    lane: &Lane<'a>,
+    slab: &Slab<'a>,
+    local: DVec2,
+) -> SlabPosition<'a> {
+    place(lane, slab, local)
 }
 
 /// One border of a lane within a slab, as seen from a point.
@@ -383,49 +427,56 @@ struct Approach {
 }
 
 impl Border<'_, '_> {
+    #[inline(never)]
     fn at(&self, s: f64) -> Approach {
-        let at = self.slab.at(s);
-        let point = self.slab.piece.curve.evaluate(s - self.slab.piece.s);
+        let (at, piece) = (self.slab.at(s), &self.slab.piece);
+        let point = piece.curve.tangent(s - piece.s);
+        let [speed, curvature] = piece.curve.speed_and_curvature(s - piece.s);
         let slopes = self.lane.edge_slopes(at);
         let edge = if self.outer { slopes.outer } else { slopes.inner };
-        let (roll_cos, roll_sin) = self.lane.road.roll(at);
-        let lateral = edge.value * roll_cos;
-        let mut widening = edge.derivative * roll_cos;
-        if roll_sin != 0.0 {
-            widening -= edge.value * roll_sin * self.lane.road.superelevation_slope(at);
-        }
+        let roll = self.lane.road.roll(at);
+        let [ahead, left] = Beside::new(&self.lane.road, at, roll, edge).run([speed, curvature]);
+        let lateral = edge.value * roll.0;
         let (tangent, normal) =
             (DVec2::new(point.cos, point.sin), DVec2::new(-point.sin, point.cos));
         let away = self.local - (DVec2::new(point.x, point.y) + normal * lateral);
-        let stretch = 1.0 - point.curvature * lateral;
-        let derivative = tangent * stretch + normal * widening;
+        let stretch = 1.0 - curvature * lateral;
+        let derivative = tangent * ahead + normal * left;
         // Curvature of the border, its own change of t left out: it only shapes the step.
-        let curvature = if stretch.abs() > f64::EPSILON { point.curvature / stretch } else { 0.0 };
+        let curvature = if stretch.abs() > f64::EPSILON { curvature / stretch } else { 0.0 };
         let contraction = 1.0 - curvature * away.dot(normal);
         let squared = derivative.length_squared() * contraction.max(MIN_CONTRACTION);
         let step = if squared == 0.0 { 0.0 } else { away.dot(derivative) / squared };
         Approach { distance: away.length(), step, contraction }
     }
 
-    /// Distance by Newton's method; every step is a point of the border, so the smallest distance seen is an upper bound
-    /// whatever happens.
+    /// Distance by Newton's method, with the growth of the step where one before tells it; every step is a point of the border, so the smallest
+    /// distance seen is an upper bound whatever happens.
     fn distance(&self, seed: f64) -> f64 {
         let (mut s, mut best) = (seed, f64::INFINITY);
+        let mut before: Option<(f64, f64)> = None;
+        let mut is_foot = false;
         for _ in 0..BORDER_ITERATIONS {
             let found = self.at(s);
             best = best.min(found.distance);
             if found.contraction < MIN_CONTRACTION {
                 // Near or beyond the centre of curvature the nearest place may be anywhere, the ends included.
-                return best.min(self.search());
-            }
-            let next = clamp(s + found.step, self.slab.s_lo, self.slab.s_hi);
-            let step = (next - s).abs();
-            if step <= BORDER_STEP || !step.is_finite() {
                 break;
             }
+            // Newton's step knows no change of the border's t: by it the foot may be nearer or farther.
+            let growth =
+                before.map_or(-1.0, |(s_before, step)| (found.step - step) / (s - s_before));
+            let step = if growth < -MIN_CONTRACTION { found.step / -growth } else { found.step };
+            let next = clamp(s + step, self.slab.s_lo, self.slab.s_hi);
+            let moved = (next - s).abs();
+            if moved <= BORDER_STEP || !moved.is_finite() {
+                is_foot = true;
+                break;
+            }
+            before = Some((s, found.step));
             s = next;
         }
-        if self.swings(best) { best.min(self.search()) } else { best }
+        if is_foot && !self.swings(best) { best } else { best.min(self.search()) }
     }
 
     /// Whether the border's t bends so much within the slab that from so far away there may be several nearest places.
@@ -443,24 +494,35 @@ impl Border<'_, '_> {
         swing * distance > MAX_SWING * (self.slab.s_hi - self.slab.s_lo)
     }
 
-    /// Distance by looking everywhere, then more closely around the nearest place.
+    /// Distance by looking everywhere, then more closely wherever it falls and rises again.
+    #[inline(never)]
     fn search(&self) -> f64 {
         let part = (self.slab.s_hi - self.slab.s_lo) / SEARCH_PARTS as f64;
-        let places = (0..=SEARCH_PARTS).map(|i| self.slab.s_lo + part * i as f64);
-        let (mut best, mut nearest) = (f64::INFINITY, self.slab.s_lo);
-        for s in places {
-            let distance = self.at(s).distance;
-            if distance < best {
-                (best, nearest) = (distance, s);
+        let mut best = f64::INFINITY;
+        let mut before: Option<(f64, f64)> = None;
+        for i in 0..=SEARCH_PARTS {
+            let s = self.slab.s_lo + part * i as f64;
+            let found = self.at(s);
+            best = best.min(found.distance);
+            if let Some((low, step)) = before
+                && step > 0.0
+                && found.step < 0.0
+            {
+                best = best.min(self.between(low, s));
             }
+            before = Some((s, found.step));
         }
-        let mut low = clamp(nearest - part, self.slab.s_lo, self.slab.s_hi);
-        let mut high = clamp(nearest + part, self.slab.s_lo, self.slab.s_hi);
-        for _ in 0..NARROWINGS {
-            let third = (high - low) / 3.0;
-            let (a, b) = (self.at(low + third).distance, self.at(high - third).distance);
-            best = best.min(a).min(b);
-            if a < b { high -= third } else { low += third }
+        best
+    }
+
+    /// Distance from the foot between two places of which the first lies before it and the second behind.
+    fn between(&self, mut low: f64, mut high: f64) -> f64 {
+        let mut best = f64::INFINITY;
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let found = self.at(middle);
+            best = best.min(found.distance);
+            *if found.step > 0.0 { &mut low } else { &mut high } = middle;
         }
         best
     }

@@ -63,6 +63,7 @@ mod error;
 mod extents;
 mod fetch;
 mod file_frame;
+mod folds;
 #[cfg(feature = "geodesy")]
 mod geodetic;
 pub mod graph;

@@ -156,7 +156,7 @@ pub(crate) struct Candidate<'a> {
 impl<'a> Candidate<'a> {
     /// None where the options exclude it.
     #[inline(always)]
-    fn new(
+    pub(crate) fn new(
         lane: &Lane<'a>,
         place: SlabPosition<'a>,
         point: Point,
@@ -187,20 +187,8 @@ impl<'a> Candidate<'a> {
     ) -> Option<Self> {
         let slab = area::slab(lane, usize::from(segment))?;
         let (map, stretch) = (lane.map, LaneSegment { lane: lane.row_number(), segment });
-        Self::nearest_in(lane, &slab, point, local, options)
+        Self::new(lane, area::place(lane, &slab, local), point, options)
             .or_else(|| Self::passing(map, stretch, point, local, options))
-    }
-
-    /// The place in a slab nearest to the point, unless it is excluded.
-    #[inline(always)]
-    pub(crate) fn nearest_in(
-        lane: &Lane<'a>,
-        slab: &Slab<'a>,
-        point: Point,
-        local: DVec2,
-        options: &NearestOptions,
-    ) -> Option<Self> {
-        Self::new(lane, area::place(lane, slab, local), point, options)
     }
 
     /// As [`Self::new`], in a stretch that holds the point.
@@ -434,6 +422,7 @@ impl<'a> Map<'a> {
 }
 
 /// Whether a class of vehicles may use a lane at s in no direction.
+#[inline(never)]
 pub(crate) fn is_closed(lane: &Lane<'_>, s: f64, vehicle: VehicleClass) -> bool {
     let open = |forward| lane.node_at(s, forward).is_some_and(|node| node.allows(vehicle));
     !open(true) && !open(false)

@@ -1,6 +1,6 @@
 //! A point's place with respect to one lane as a whole.
 
-use crate::area::{SlabPosition, place, place_at_foot, slab, slab_around};
+use crate::area::{SlabPosition, place_at_foot, place_by_call, slab, slab_around};
 use crate::index;
 use crate::lane::Lane;
 use crate::nearest::round_up;
@@ -148,7 +148,7 @@ fn nearest_stretch<'a>(lane: &Lane<'a>, local: DVec2) -> Option<SlabPosition<'a>
     let segments = points.len().saturating_sub(1);
     let mut best: Option<SlabPosition<'a>> = None;
     let mut consider = |segment: usize| {
-        let found = slab(lane, segment).map(|slab| place(lane, &slab, local));
+        let found = slab(lane, segment).map(|slab| place_by_call(lane, &slab, local));
         let key = |place: &SlabPosition<'_>| (place.distance, place.offset.abs(), place.s());
         if let Some(found) = found
             && best.as_ref().is_none_or(|best| key(&found) < key(best))

@@ -4,7 +4,7 @@
 use mapd_client::glam::DVec2;
 use mapd_client::{Lane, Map, NearestOptions, Road, Track};
 use mapd_geometry::clamp;
-use mapd_tests::maps::{Random, carried_and, open};
+use mapd_tests::maps::{Random, carried_and, open, open_text};
 
 /// Maps besides the carried ones.
 const MAPS: [&str; 10] = [
@@ -279,5 +279,77 @@ fn what_is_found_is_the_nearest_of_all() {
             }
         }
         assert!(found > POINTS / 2, "{}: only {found} points were near lanes", path.display());
+    }
+}
+
+/// Beside an edge that bends by its width as well as with the road: Newton's method, which knows of the road alone, may swing to and fro about its foot.
+#[test]
+fn the_foot_on_an_edge_that_bends_by_itself_is_found() {
+    let options = NearestOptions { radius: RADIUS, ..NearestOptions::default() };
+    let mut random = Random(32);
+    for bend in [-0.09, -0.05, -0.014, -0.003, 0.003, 0.014, 0.05, 0.09] {
+        let snapshot = open_text(&format!(
+            r#"<OpenDRIVE><header revMajor="1" revMinor="8"/><road id="1" length="24" junction="-1"><planView>
+            <geometry s="0" x="0" y="0" hdg="0" length="24"><paramPoly3 pRange="normalized" aU="0" bU="25.4" cU="0" dU="-2.9"
+            aV="0" bV="0" cV="-9.3" dV="-0.4"/></geometry></planView><lanes><laneSection s="0"><center><lane id="0" type="none"/></center>
+            <right><lane id="-1" type="driving"><width sOffset="0" a="9.4" b="0" c="0" d="0"/>
+            <width sOffset="16" a="9.4" b="0" c="{bend}" d="0"/></lane></right></laneSection></lanes></road></OpenDRIVE>"#
+        ));
+        let map = snapshot.map();
+        let lanes = lanes(map);
+        let road = map.road_by_id("1").expect("the road");
+        for _ in 0..POINTS {
+            let track =
+                Track { s: random.between(12.0, 24.0), t: random.between(-22.0, -6.0), h: 0.0 };
+            let point = road.to_inertial(track).expect("a pose").position.truncate();
+            let expected = nearest(&lanes, point, RADIUS);
+            let hit = map.nearest_lane(point, &options).expect("an answer").expect("a lane");
+            let error = (hit.position.distance - expected).abs();
+            assert!(error <= TOLERANCE, "{bend}, {point}: expected {expected}, found {hit:?}");
+        }
+    }
+}
+
+/// On lanes that reach beyond the centre of their road's curvature: their cross-sections cross, and points have several feet.
+#[test]
+fn what_lies_beyond_the_centre_of_curvature_is_found() {
+    let options = NearestOptions { radius: RADIUS, ..NearestOptions::default() };
+    let mut random = Random(33);
+    let bends = [
+        r#"<arc curvature="0.2"/>"#,
+        r#"<spiral curvStart="0.02" curvEnd="0.35"/>"#,
+        r#"<spiral curvStart="-0.1" curvEnd="0.3"/>"#,
+        r#"<paramPoly3 pRange="normalized" aU="0" bU="9" cU="0" dU="-4" aV="0" bV="0" cV="9" dV="-2"/>"#,
+        r#"<paramPoly3 pRange="normalized" aU="0" bU="10" cU="4" dU="-7" aV="0" bV="0" cV="16" dV="-9"/>"#,
+    ];
+    for (bend, side) in bends.into_iter().flat_map(|bend| [(bend, "left"), (bend, "right")]) {
+        let id = if side == "left" { 1 } else { -1 };
+        let snapshot = open_text(&format!(
+            r#"<OpenDRIVE><header revMajor="1" revMinor="8"/><road id="1" length="10" junction="-1"><planView>
+            <geometry s="0" x="0" y="0" hdg="0" length="10">{bend}</geometry></planView><lanes><laneSection s="0">
+            <center><lane id="0" type="none"/></center><{side}><lane id="{id}" type="driving">
+            <width sOffset="0" a="7" b="0.2" c="0" d="0"/></lane></{side}></laneSection></lanes></road></OpenDRIVE>"#
+        ));
+        let map = snapshot.map();
+        let lanes = lanes(map);
+        for _ in 0..POINTS {
+            let point = DVec2::new(random.between(-12.0, 16.0), random.between(-12.0, 16.0));
+            let expected = nearest(&lanes, point, RADIUS);
+            let hit = map.nearest_lane(point, &options).expect("an answer").expect("a lane");
+            let (distance, s) = (hit.position.distance, hit.position.s);
+            if distance > 0.0 {
+                let error = (distance - expected).abs();
+                assert!(
+                    error <= TOLERANCE,
+                    "{bend} {side}, {point}: expected {expected}, found {hit:?}"
+                );
+            } else {
+                // Where it is said to lie, it lies: that tells more than a search, which may miss a foot.
+                let lane = map.lane(hit.lane).expect("the map's own lane");
+                let again = lane.pose_at(s, hit.position.offset).expect("a pose");
+                let off = again.position.truncate().distance(point);
+                assert!(off <= 1e-8, "{bend} {side}, {point}: off by {off}, {hit:?}");
+            }
+        }
     }
 }

@@ -2,7 +2,8 @@
 //! lane.
 
 use mapd_client::glam::{DVec2, DVec3};
-use mapd_client::{Lane, Map, NearestOptions, Point, Track};
+use mapd_client::vocabulary::VehicleClass;
+use mapd_client::{Lane, Map, NearestOptions, Point, Snapshot, Track};
 use mapd_geometry::{clamp, normalize_angle};
 use mapd_tests::maps::{Random, carried_and, open, open_text};
 
@@ -166,5 +167,58 @@ fn a_bend_passes_where_its_heading_does() {
         let (expected, found) = (nearest.distance(away), hit.position.distance);
         assert!((found - expected).abs() < 1e-9, "{tolerance}: {found}, expected {expected}");
         assert!((hit.position.s - radius * angle).abs() < 1e-6, "{tolerance}: {hit:?}");
+    }
+}
+
+/// A straight road of 100 m along x that rises; its lane is open to cars on half a metre.
+fn rising(slope: f64) -> Snapshot {
+    open_text(&format!(
+        r#"<OpenDRIVE><header revMajor="1" revMinor="8"/><road id="1" length="100" junction="-1"><planView>
+        <geometry s="0" x="0" y="0" hdg="0" length="100"><line/></geometry></planView>
+        <elevationProfile><elevation s="0" a="0" b="{slope}" c="0" d="0"/></elevationProfile>
+        <lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving">
+        <width sOffset="0" a="4" b="0" c="0" d="0"/><access sOffset="0" rule="deny" restriction="passengerCar"/>
+        <access sOffset="70" rule="allow" restriction="passengerCar"/><access sOffset="70.5" rule="deny" restriction="passengerCar"/>
+        </lane></right></laneSection></lanes></road></OpenDRIVE>"#
+    ))
+}
+
+/// Where it passes is short beside the stretch of the index, which is all of the road.
+#[test]
+fn a_short_part_of_a_stretch_passes() {
+    let level = NearestOptions { radius: 100.0, ..NearestOptions::default() };
+    let xy = DVec2::new(20.0, -2.0);
+    for slope in [0.002, 0.05, -0.3] {
+        let snapshot = rising(slope);
+        let map = snapshot.map();
+        for (height, tolerance) in [(70.0, 0.03), (70.0, 1e-4), (3.0, 0.03), (55.5, 1e-6)] {
+            let point = Point { xy, z: Some(slope * height) };
+            let options = NearestOptions { z_tolerance: Some(tolerance), ..level };
+            let hit = map.nearest_lane(point, &options).expect("an answer").expect("a lane");
+            let expected = (height - xy.x).abs() - tolerance / f64::abs(slope);
+            let (found, s) = (hit.position.distance, hit.position.s);
+            assert!(
+                (found - expected.max(0.0)).abs() < 1e-8,
+                "{slope} {height} {tolerance}: {hit:?}"
+            );
+            assert!(
+                ((s - xy.x).abs() - found).abs() < 1e-8,
+                "{slope} {height} {tolerance}: {hit:?}"
+            );
+        }
+        let vehicle = Some(VehicleClass::PassengerCar);
+        for (x, expected) in [(20.0, 50.0), (70.25, 0.0), (80.0, 9.5)] {
+            let options = NearestOptions { vehicle, ..level };
+            let hit = map.nearest_lane(DVec2::new(x, -2.0), &options).expect("an answer");
+            let found = hit.expect("a lane").position.distance;
+            assert!((found - expected).abs() < 1e-8, "{slope} {x}: {hit:?}");
+        }
+        // Open and as high as that, at once.
+        let point = Point { xy, z: Some(slope * 70.0) };
+        let options = NearestOptions { vehicle, z_tolerance: Some(1e-6), ..level };
+        let hit = map.nearest_lane(point, &options).expect("an answer").expect("a lane");
+        assert!((hit.position.distance - 50.0).abs() < 1e-8, "{slope}: {hit:?}");
+        let point = Point { xy, z: Some(slope * 69.0) };
+        assert_eq!(map.nearest_lane(point, &options), Ok(None), "{slope}");
     }
 }

@@ -157,7 +157,7 @@ impl Map<'_> {
                 let lane = Lane::new(*self, lanes[k]).filter(|l| options.types.contains(l.kind()));
                 let Some(lane) = lane else { continue };
                 let Some(slab) = area::slab(&lane, usize::from(segments[k])) else { continue };
-                let place = area::place(&lane, &slab, local);
+                let place = area::place_by_call(&lane, &slab, local);
                 let level = place.level(&lane);
                 if heights.is_some_and(|[low, high]| !(low <= level && level <= high)) {
                     continue;
