@@ -20,8 +20,8 @@ const RUNS: [usize; 2] = [500, 2_500];
 const BOUNDS: [(&str, u64); 12] = [
     ("nearest", 3_385),
     ("trajectory", 2_985),
-    ("beside", 23_920),
-    ("hinted", 6_300),
+    ("beside", 16_450),
+    ("hinted", 5_850),
     ("inertial", 520),
     ("inertial-trajectory", 515),
     ("track", 755),

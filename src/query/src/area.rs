@@ -400,7 +400,7 @@ pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabP
     place
 }
 
-/// As [`place`], by a call: for all who ask of one slab after another, but for those who ask of most.
+/// As [`place`], by a call: only the search for the nearest lanes, which asks of most slabs, does without.
 #[inline(never)]
 pub(crate) fn place_by_call<'a>(
     lane: &Lane<'a>,

@@ -84,8 +84,8 @@ fn nearest<'a>(
     let mut here = look(low);
     let mut before = here;
     for i in 1..=PARTS + 1 {
-        let share = i as f64 / PARTS as f64;
-        let behind = if i > PARTS { here } else { look(low + (high - low) * share) };
+        let s = low + (high - low) * (i as f64 / PARTS as f64);
+        let behind = if i > PARTS { here } else { look(s.min(high)) };
         let is_least = here.distance <= before.distance && here.distance <= behind.distance;
         let is_foot = (here.ahead > 0.0) != (behind.ahead > 0.0);
         if is_least || is_foot {

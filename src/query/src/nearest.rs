@@ -423,7 +423,7 @@ impl<'a> Map<'a> {
 
 /// Whether a class of vehicles may use a lane at s in no direction.
 #[inline(never)]
-pub(crate) fn is_closed(lane: &Lane<'_>, s: f64, vehicle: VehicleClass) -> bool {
+fn is_closed(lane: &Lane<'_>, s: f64, vehicle: VehicleClass) -> bool {
     let open = |forward| lane.node_at(s, forward).is_some_and(|node| node.allows(vehicle));
     !open(true) && !open(false)
 }

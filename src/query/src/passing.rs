@@ -2,11 +2,12 @@
 //!
 //! Where the index cuts a lane must not show in answers: a stretch is not left out for its nearest place alone.
 
+use crate::SRange;
 use crate::area::{self, Slab, SlabPosition};
 use crate::index::LaneSegment;
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::nearest::{Candidate, NearestOptions, heading_difference, is_closed};
+use crate::nearest::{Candidate, NearestOptions, heading_difference};
 use crate::types::Point;
 use glam::DVec2;
 
@@ -17,7 +18,7 @@ const PARTS: usize = 4;
 const GROWTH: f64 = 2.0;
 /// A part this short is one place `[m]`.
 const SHORTEST: f64 = 1e-9;
-/// Places that are looked at: forty halvings for each of some places at which it is close.
+/// Places that are looked at, forty halvings for each of some at which it is close; beyond them only ends of parts count.
 const MOST_PLACES: u32 = 1024;
 
 /// A stretch of a lane, and what is asked of it.
@@ -153,18 +154,20 @@ impl<'a> Candidate<'a> {
         let Some(vehicle) = options.vehicle else {
             return Asked { lane, slab, point, local, options }.nearest();
         };
+        // Who may drive is the nodes' to say, each once.
+        let options = &NearestOptions { vehicle: None, ..*options };
+        let (start, end) = (lane.section().s_start(), lane.section().s_end());
         let mut best = None;
         for node in lane.nodes().filter(|node| node.allows(vehicle)) {
-            let own = node.s_range();
-            let (low, high) = (slab.s_lo.max(own.low), slab.s_hi.min(own.high));
-            // A cut is of one of the nodes that meet there.
-            let low = if is_closed(lane, low, vehicle) { low.next_up() } else { low };
-            let high = if is_closed(lane, high, vehicle) { high.next_down() } else { high };
+            let SRange { low, high } = node.s_range();
+            // A cut is of the later node in driving direction.
+            let low = if node.is_forward() || low <= start { low } else { low.next_up() };
+            let high = if node.is_forward() && high < end { high.next_down() } else { high };
+            let (low, high) = (slab.s_lo.max(low), slab.s_hi.min(high));
             if low <= high {
                 let slab = &slab.part(low, high);
                 let asked = Asked { lane, slab, point, local, options };
-                let found = asked.between(low, high).or_else(|| asked.nearest());
-                best = nearer(best, found);
+                best = nearer(best, asked.between(low, high).or_else(|| asked.nearest()));
             }
         }
         best

@@ -282,10 +282,30 @@ fn what_is_found_is_the_nearest_of_all() {
     }
 }
 
+/// Of one lane: as near as its nearest cross-section, or in it.
+fn check(map: Map<'_>, lanes: &Stretches<'_>, point: DVec2, context: &str) {
+    let options = NearestOptions { radius: RADIUS, ..NearestOptions::default() };
+    let hit = map.nearest_lane(point, &options).expect("an answer").expect("a lane");
+    let (distance, s) = (hit.position.distance, hit.position.s);
+    if distance > 0.0 {
+        let expected = nearest(lanes, point, RADIUS);
+        let error = (distance - expected).abs();
+        assert!(error <= TOLERANCE, "{context}, {point}: expected {expected}, found {hit:?}");
+    } else {
+        // Where it is said to lie, it lies: that tells more than a search, which may miss a foot.
+        let lane = map.lane(hit.lane).expect("the map's own lane");
+        let again = lane.pose_at(s, hit.position.offset).expect("a pose");
+        let off = again.position.truncate().distance(point);
+        let edges = lane.edges_at(s);
+        let [low, high] = [edges.inner.min(edges.outer), edges.inner.max(edges.outer)];
+        let is_between = low - 1e-8 <= hit.position.t && hit.position.t <= high + 1e-8;
+        assert!(off <= 1e-8 && is_between, "{context}, {point}: off by {off}, {edges:?}, {hit:?}");
+    }
+}
+
 /// Beside an edge that bends by its width as well as with the road: Newton's method, which knows of the road alone, may swing to and fro about its foot.
 #[test]
 fn the_foot_on_an_edge_that_bends_by_itself_is_found() {
-    let options = NearestOptions { radius: RADIUS, ..NearestOptions::default() };
     let mut random = Random(32);
     for bend in [-0.09, -0.05, -0.014, -0.003, 0.003, 0.014, 0.05, 0.09] {
         let snapshot = open_text(&format!(
@@ -302,10 +322,7 @@ fn the_foot_on_an_edge_that_bends_by_itself_is_found() {
             let track =
                 Track { s: random.between(12.0, 24.0), t: random.between(-22.0, -6.0), h: 0.0 };
             let point = road.to_inertial(track).expect("a pose").position.truncate();
-            let expected = nearest(&lanes, point, RADIUS);
-            let hit = map.nearest_lane(point, &options).expect("an answer").expect("a lane");
-            let error = (hit.position.distance - expected).abs();
-            assert!(error <= TOLERANCE, "{bend}, {point}: expected {expected}, found {hit:?}");
+            check(map, &lanes, point, &bend.to_string());
         }
     }
 }
@@ -313,7 +330,6 @@ fn the_foot_on_an_edge_that_bends_by_itself_is_found() {
 /// On lanes that reach beyond the centre of their road's curvature: their cross-sections cross, and points have several feet.
 #[test]
 fn what_lies_beyond_the_centre_of_curvature_is_found() {
-    let options = NearestOptions { radius: RADIUS, ..NearestOptions::default() };
     let mut random = Random(33);
     let bends = [
         r#"<arc curvature="0.2"/>"#,
@@ -334,22 +350,7 @@ fn what_lies_beyond_the_centre_of_curvature_is_found() {
         let lanes = lanes(map);
         for _ in 0..POINTS {
             let point = DVec2::new(random.between(-12.0, 16.0), random.between(-12.0, 16.0));
-            let expected = nearest(&lanes, point, RADIUS);
-            let hit = map.nearest_lane(point, &options).expect("an answer").expect("a lane");
-            let (distance, s) = (hit.position.distance, hit.position.s);
-            if distance > 0.0 {
-                let error = (distance - expected).abs();
-                assert!(
-                    error <= TOLERANCE,
-                    "{bend} {side}, {point}: expected {expected}, found {hit:?}"
-                );
-            } else {
-                // Where it is said to lie, it lies: that tells more than a search, which may miss a foot.
-                let lane = map.lane(hit.lane).expect("the map's own lane");
-                let again = lane.pose_at(s, hit.position.offset).expect("a pose");
-                let off = again.position.truncate().distance(point);
-                assert!(off <= 1e-8, "{bend} {side}, {point}: off by {off}, {hit:?}");
-            }
+            check(map, &lanes, point, &format!("{bend} {side}"));
         }
     }
 }

@@ -222,3 +222,34 @@ fn a_short_part_of_a_stretch_passes() {
         assert_eq!(map.nearest_lane(point, &options), Ok(None), "{slope}");
     }
 }
+
+/// A lane on which cars may and may not drive in turns, in thousands of pieces on one stretch of the index.
+#[test]
+fn the_nearest_of_many_open_pieces_is_found() {
+    const PIECE: f64 = 0.2;
+    let record = |i: u32| {
+        let (s, rule) = (f64::from(i) * PIECE, if i.is_multiple_of(2) { "deny" } else { "allow" });
+        format!(r#"<access sOffset="{s}" rule="{rule}" restriction="passengerCar"/>"#)
+    };
+    let records: String = (0..5_000).map(record).collect();
+    let snapshot = open_text(&format!(
+        r#"<OpenDRIVE><header revMajor="1" revMinor="8"/><road id="1" length="1000" junction="-1"><planView>
+        <geometry s="0" x="0" y="0" hdg="0" length="1000"><line/></geometry></planView>
+        <lanes><laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving">
+        <width sOffset="0" a="4" b="0" c="0" d="0"/>{records}</lane></right></laneSection></lanes></road></OpenDRIVE>"#
+    ));
+    let options =
+        NearestOptions { vehicle: Some(VehicleClass::PassengerCar), ..NearestOptions::default() };
+    for i in (0..5_000u32).step_by(97) {
+        let x = (f64::from(i) + 0.25) * PIECE;
+        let hit = snapshot.map().nearest_lane(DVec2::new(x, -2.0), &options).expect("an answer");
+        let found = hit.expect("a lane").position;
+        // Of a closed piece the nearer end, but where the road begins.
+        let expected = match i {
+            0 => 0.75 * PIECE,
+            _ if i.is_multiple_of(2) => 0.25 * PIECE,
+            _ => 0.0,
+        };
+        assert!((found.distance - expected).abs() < 1e-4, "{x}: {found:?}, expected {expected}");
+    }
+}
