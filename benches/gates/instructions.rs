@@ -77,6 +77,12 @@ const PER_BYTE: f64 = 347.0;
 /// Most that compiling may take with a patch of some roads, as a share of what it takes without.
 const PATCHED: f64 = 1.10;
 
+/// Lanes on either side of two sections, each with so many widths, and the most that compiling the wider one may take of what the other does: lines
+/// of twice the lanes have four times the points.
+const LANES: [usize; 2] = [16, 32];
+const WIDTHS: usize = 40;
+const WIDER: f64 = 5.0;
+
 /// The programs that ask queries, and of paths and routes, built as planners link the client: they lie outside of the crates that answer. With the
 /// packages of this benchmark, so that what they have in common is built once. None where they cannot be built.
 fn probes() -> Option<[String; 3]> {
@@ -238,6 +244,16 @@ fn main() -> ExitCode {
     exceeded |= exceeds("compile, per byte", plain / text.len() as f64, PER_BYTE, 1);
     let what = format!("compile with a patch: {:.3} of without", patched / plain);
     exceeded |= exceeds(&what, patched, plain * PATCHED, 0);
+    let sections = LANES.map(|lanes| {
+        let file = folder.path().join(format!("{lanes}.xodr"));
+        let text = mapd_tests::long_lane::many_lanes(lanes, WIDTHS, false);
+        std::fs::write(&file, text).expect("the section is written");
+        file.to_string_lossy().into_owned()
+    });
+    let jobs = [0, 1].map(|i| Job::new(compile_probe, &[&sections[i], "-"], COMPILATIONS));
+    let wide = counted(&jobs);
+    let what = format!("{} lanes: {:.2} of {}", 2 * LANES[1], wide[1] / wide[0], 2 * LANES[0]);
+    exceeded |= exceeds(&what, wide[1], wide[0] * WIDER, 0);
     exceeded |= views::run(&view_probe, folder.path());
     if exceeded { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }

@@ -76,6 +76,8 @@ struct Widths {
 #[derive(Clone, Copy)]
 struct Width {
     record: Record,
+    /// Where the record holds.
+    held: ValidRange,
     is_border: bool,
     /// The lane's edges, where neither they nor those of the lanes further in change while the records hold.
     steady: Option<LaneEdges>,
@@ -197,7 +199,10 @@ impl<'a> SectionCutter<'a> {
     // Apart, as with the reference line.
     #[inline(never)]
     fn find_widths(&mut self, hold: f64) -> Option<()> {
-        self.lanes = Some(Widths::at(&self.road, &self.section, hold)?);
+        match &mut self.lanes {
+            Some(widths) => widths.move_to(&self.road, &self.section, hold)?,
+            none => *none = Some(Widths::at(&self.road, &self.section, hold)?),
+        }
         Some(())
     }
 }
@@ -287,24 +292,49 @@ impl Widths {
 
     /// None for a section without a centre lane.
     fn at(road: &Road<'_>, section: &LaneSection<'_>, hold: f64) -> Option<Self> {
-        let mut held = ValidRange::ALWAYS;
         let lanes = section.rows();
         let center = lanes.binary_search_by(|lane| 0.cmp(&lane.number())).ok()?;
-        let is_temporary = lanes.first()?.flags() & lane_flags::TEMPORARY != 0;
+        let cubics = section.map.tables().cubics;
+        let width = |lane: &ArchivedLaneRow| {
+            let mut held = ValidRange::ALWAYS;
+            let record = Record::of(held.record(lane.widths().of(cubics), hold));
+            let is_border = lane.flags() & lane_flags::BORDER != 0;
+            Width { record, held, is_border, steady: None }
+        };
+        let left = lanes.get(..center)?.iter().rev().map(width).collect();
+        let right = lanes.get(center + 1..)?.iter().map(width).collect();
+        let mut widths = Self { held: ValidRange::ALWAYS, offset: Record::NONE, left, right };
+        widths.settle(road, section, hold)?;
+        Some(widths)
+    }
+
+    /// What holds at another place: mostly the next record of one lane, so that those of the others need not be looked for.
+    fn move_to(&mut self, road: &Road<'_>, section: &LaneSection<'_>, hold: f64) -> Option<()> {
+        let (lanes, cubics) = (section.rows(), section.map.tables().cubics);
+        let (left, right) = lanes.split_at_checked(self.left.len())?;
+        let left = self.left.iter_mut().rev().zip(left);
+        for (width, lane) in left.chain(self.right.iter_mut().zip(right.get(1..)?)) {
+            width.steady = None;
+            if !width.held.contains(hold) {
+                width.held = ValidRange::ALWAYS;
+                width.record = Record::of(width.held.record(lane.widths().of(cubics), hold));
+            }
+        }
+        self.settle(road, section, hold)
+    }
+
+    /// What follows from the widths that hold at a place.
+    fn settle(&mut self, road: &Road<'_>, section: &LaneSection<'_>, hold: f64) -> Option<()> {
+        let is_temporary = section.rows().first()?.flags() & lane_flags::TEMPORARY != 0;
         let offsets =
             if is_temporary { road.temporary_lane_offsets() } else { road.lane_offsets() };
-        let offset = Record::of(held.record(offsets, hold));
-        let cubics = section.map.tables().cubics;
-        let mut width = |lane: &ArchivedLaneRow| Width {
-            record: Record::of(held.record(lane.widths().of(cubics), hold)),
-            is_border: lane.flags() & lane_flags::BORDER != 0,
-            steady: None,
-        };
-        let mut left: Vec<Width> = lanes.get(..center)?.iter().rev().map(&mut width).collect();
-        let mut right: Vec<Width> = lanes.get(center + 1..)?.iter().map(&mut width).collect();
-        find_steady(&offset, &mut left, hold, 1.0);
-        find_steady(&offset, &mut right, hold, -1.0);
-        Some(Self { held, offset, left, right })
+        let mut held = ValidRange::ALWAYS;
+        self.offset = Record::of(held.record(offsets, hold));
+        self.held =
+            self.left.iter().chain(&self.right).fold(held, |held, width| held.and(width.held));
+        find_steady(&self.offset, &mut self.left, hold, 1.0);
+        find_steady(&self.offset, &mut self.right, hold, -1.0);
+        Some(())
     }
 }
 

@@ -53,19 +53,19 @@ pub fn measures_between(lane: &Lane<'_>, a: f64, b: f64) -> Measures {
 
 /// A piece of the reference line, from which s on and up to which one it holds. Places that are asked for one behind the other
 /// mostly lie on the same.
-struct CachedGeometry<'a> {
+pub(crate) struct CachedGeometry<'a> {
     piece: Option<GeometryPiece<'a>>,
     from: f64,
-    to: f64,
+    pub(crate) to: f64,
 }
 
 impl<'a> CachedGeometry<'a> {
     /// Holds nowhere.
-    const NONE: Self = Self { piece: None, from: f64::INFINITY, to: f64::NEG_INFINITY };
+    pub(crate) const NONE: Self = Self { piece: None, from: f64::INFINITY, to: f64::NEG_INFINITY };
 
     /// The piece that holds at s, as [`Road::piece_at`] finds it.
     #[inline]
-    fn at(&mut self, road: &Road<'a>, s: f64) -> Option<GeometryPiece<'a>> {
+    pub(crate) fn at(&mut self, road: &Road<'a>, s: f64) -> Option<GeometryPiece<'a>> {
         if !(s >= self.from && s < self.to) {
             let rows = road.geometries();
             let next = rows.partition_point(|g| g.s() <= s);
@@ -80,13 +80,37 @@ impl<'a> CachedGeometry<'a> {
 }
 
 /// A stretch on one piece of the reference line, all along which the same records hold.
-struct Stretch<'a> {
-    from: f64,
-    to: f64,
+pub(crate) struct Stretch<'a> {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
     /// None in a damaged archive.
-    piece: Option<GeometryPiece<'a>>,
+    pub(crate) piece: Option<GeometryPiece<'a>>,
     /// Whether none of the records changes.
-    is_constant: bool,
+    pub(crate) is_constant: bool,
+}
+
+impl Stretch<'_> {
+    /// Length of a line that lies beside the reference line as `beside` has it.
+    #[inline(always)]
+    pub(crate) fn length(&self, beside: impl Fn(At) -> Beside) -> f64 {
+        let Self { from, to, piece, is_constant } = *self;
+        // A damaged archive.
+        let Some(piece) = piece else { return to - from };
+        let hold = 0.5 * (from + to);
+        if is_constant {
+            let beside = beside(At::new(hold));
+            if piece.curve.even_curvature_up_to(to - piece.s).is_some() {
+                return (to - from) * beside.growth(piece.speed_and_curvature(hold));
+            }
+            // The same integral with another variable: by that of its cubics a curve has no joints, and needs far fewer places.
+            if let Some(part) = piece.curve.cubic_part(from - piece.s, to - piece.s) {
+                let [from, to] = part.range();
+                return integral(&mut |p| beside.growth(part.speed_and_curvature(p)), from, to);
+            }
+            return integral(&mut |s| beside.growth(piece.speed_and_curvature(s)), from, to);
+        }
+        integral(&mut |s| beside(At { s, hold }).growth(piece.speed_and_curvature(s)), from, to)
+    }
 }
 
 /// Where the records that hold at a place give way to others.
@@ -120,36 +144,6 @@ impl Records {
         let closed = changes.and_then(|own| profile::sign_change(own, from, self.to));
         self.to = closed.filter(|s| *s > from).map_or(self.to, |s| self.to.min(s));
     }
-}
-
-/// Records between two places of a lane up to which its length is stored.
-const RECORDS_PER_LENGTH: usize = 16;
-/// Records of a lane of which no lengths are stored: so many are looked at for each length along it.
-const FEW_RECORDS: usize = 32;
-
-/// Places of a lane where a record begins, and how long its centre line is up to there `[m]`: after each 16 records of a lane of more than 32, none of
-/// another. Where the archive has them, [`Lane::length_between`] looks at no more than 16 at either end.
-pub fn lengths_along(lane: &Lane<'_>) -> Vec<(f64, f64)> {
-    let end = lane.section().s_end().min(lane.road.reference_end());
-    let each = |visit: &mut dyn FnMut(&Stretch<'_>)| {
-        lane.each_stretch(lane.section().s_start(), end, visit);
-    };
-    let (mut records, mut along, mut length) = (0, Vec::new(), 0.0);
-    if lane.most_stretches() > FEW_RECORDS {
-        each(&mut |_| records += 1);
-    }
-    if records <= FEW_RECORDS {
-        return along;
-    }
-    let mut number = 0;
-    each(&mut |stretch| {
-        number += 1;
-        length += lane.smooth_length(stretch);
-        if number % RECORDS_PER_LENGTH == 0 && number < records {
-            along.push((stretch.to, length));
-        }
-    });
-    along
 }
 
 /// Most steps towards the place at a length along a lane: by halves alone there are fewer.
@@ -263,41 +257,10 @@ impl<'a> Lane<'a> {
         sum
     }
 
-    /// Stretches of the whole lane, at most.
-    fn most_stretches(&self) -> usize {
-        let own = self.road.geometries().len()
-            + self.own_lane_offsets().len()
-            + self.road.superelevations().len();
-        let mut widths = 0;
-        self.walk_outwards(|lane| widths += usize::from(lane.width_count()));
-        // A width may close between two records.
-        own + 2 * widths
-    }
-
     /// Length of a stretch.
     #[inline]
     fn smooth_length(&self, stretch: &Stretch<'_>) -> f64 {
-        let Stretch { from, to, piece, is_constant } = *stretch;
-        // A damaged archive.
-        let Some(piece) = piece else { return to - from };
-        let hold = 0.5 * (from + to);
-        if is_constant {
-            let middle = self.middle(At::new(hold));
-            if piece.curve.even_curvature_up_to(to - piece.s).is_some() {
-                return (to - from) * middle.growth(piece.speed_and_curvature(hold));
-            }
-            // The same integral with another variable: by that of its cubics a curve has no joints, and needs far fewer places.
-            if let Some(part) = piece.curve.cubic_part(from - piece.s, to - piece.s) {
-                let [from, to] = part.range();
-                return integral(&mut |p| middle.growth(part.speed_and_curvature(p)), from, to);
-            }
-            return integral(&mut |s| middle.growth(piece.speed_and_curvature(s)), from, to);
-        }
-        integral(
-            &mut |s| self.middle(At { s, hold }).growth(piece.speed_and_curvature(s)),
-            from,
-            to,
-        )
+        stretch.length(|at| self.middle(at))
     }
 
     /// What holds of the profiles that shape the centre line from a place on, up to another at most.

@@ -82,6 +82,7 @@ mod lane;
 mod lane_edges;
 mod lane_length;
 mod lane_words;
+mod lengths_along;
 mod line_stretch;
 mod map;
 mod marks;

@@ -30,6 +30,11 @@ impl ValidRange {
         from >= self.from && to <= self.to
     }
 
+    /// The part in which another one holds as well.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self { from: self.from.max(other.from), to: self.to.min(other.to) }
+    }
+
     /// Between the start of what holds, the one before `next`, and that of the next.
     fn narrow<T>(&mut self, rows: &[T], next: usize, start: impl Fn(&T) -> f64) {
         if let Some(row) = next.checked_sub(1).and_then(|i| rows.get(i)) {

@@ -76,6 +76,30 @@ impl Record {
         Slope { value: self.cubic.value(ds), derivative: self.cubic.derivative(ds) }
     }
 
+    /// Where it was cut off from another.
+    pub(crate) fn start(&self) -> f64 {
+        self.s
+    }
+
+    /// The same cubic, by the distance from another place.
+    pub(crate) fn from(&self, s: f64) -> Self {
+        let (ds, Cubic { c, d, .. }) = (s - self.s, self.cubic);
+        let [a, b] = [self.cubic.value(ds), self.cubic.derivative(ds)];
+        Self { s, cubic: Cubic { a, b, c: c + 3.0 * d * ds, d } }
+    }
+
+    /// What so many times another one adds to this, from a place on.
+    pub(crate) fn plus(&self, times: f64, other: &Self, s: f64) -> Self {
+        let (Cubic { a, b, c, d }, o) = (self.from(s).cubic, other.from(s).cubic);
+        let cubic = Cubic {
+            a: a + times * o.a,
+            b: b + times * o.b,
+            c: c + times * o.c,
+            d: d + times * o.d,
+        };
+        Self { s, cubic }
+    }
+
     pub(crate) fn is_constant(&self) -> bool {
         self.is_even() && self.cubic.b == 0.0
     }

@@ -3,13 +3,13 @@
 use mapd_archive::{LaneLengthRow, Rows, encode, verify};
 use mapd_client::Snapshot;
 use mapd_compiler::{CompileOptions, compile};
-use mapd_tests::long_lane::long_lane;
+use mapd_tests::long_lane::{long_lane, many_lanes};
 use mapd_tests::maps::Random;
 
 /// Allowed difference of two sums of the same lengths `[m]`, or times `[s]`.
 const EXACT: f64 = 1e-9;
 
-/// Lengths between many places of both lanes with and without the stored ones, of which there are so many; they differ by no more than rounding.
+/// Lengths between many places of all lanes with and without the stored ones, of which there are so many; they differ by no more than rounding.
 fn check(what: &str, text: &str, stored: usize) {
     let compiled = compile(text.as_bytes(), &CompileOptions::default(), &mut |_| {});
     let mut compiled = compiled.expect("reading works");
@@ -24,7 +24,9 @@ fn check(what: &str, text: &str, stored: usize) {
     rows.lane_lengths = Vec::new().into();
     let without = open(&rows);
     let mut random = Random(0x1e_7465);
-    for id in [1, -1] {
+    let road = with.map().road_by_id("1").expect("the road");
+    let ids = road.section(0).into_iter().flat_map(|section| section.lanes());
+    for id in ids.map(|lane| lane.number()) {
         let [lane, plain] = [&with, &without].map(|map| {
             let road = map.map().road_by_id("1").expect("the road");
             road.section(0).and_then(|section| section.lane(id)).expect("the lane")
@@ -57,6 +59,20 @@ fn stored_lengths_are_those_of_the_records() {
     }
     for (geometries, stored) in [(16, 0), (17, 2), (40, 2 * 2 + 4), (400, 2 * 24 + 49)] {
         check(&format!("{geometries} arcs with widths"), &long_lane(geometries, true), stored);
+    }
+}
+
+/// Edges that are added up once for all lanes are those of each lane by itself, also where widths close, and beside borders.
+#[test]
+fn stored_lengths_are_those_of_many_lanes() {
+    for (lanes, records, close, stored) in [
+        (1, 40, false, 2 * 2),
+        (4, 30, false, 2 * (3 + 5 + 7)),
+        (3, 40, true, 31),
+        (6, 25, true, 68),
+    ] {
+        let text = many_lanes(lanes, records, close);
+        check(&format!("{lanes} lanes of {records} records"), &text, stored);
     }
 }
 

@@ -6,31 +6,26 @@ use mapd_query::Map;
 use mapd_query::compiling::{ByRow as _, lengths_along};
 use rayon::prelude::*;
 
-/// Lanes that one task looks at.
-const LANES_PER_TASK: usize = 256;
+/// Sections that one task looks at.
+const SECTIONS_PER_TASK: usize = 256;
 
-/// Fills `lane_lengths`.
+/// Fills `lane_lengths`: whatever asks for lengths along such lanes goes faster from then on.
 pub(crate) fn build(rows: &mut Rows) {
     let stored: Vec<Vec<LaneLengthRow>> = {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
-        let numbers: Vec<u32> = (0..rows.lanes.len() as u32).collect();
-        numbers.par_chunks(LANES_PER_TASK).map(|lanes| of_lanes(map, lanes)).collect()
+        let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
+        numbers.par_chunks(SECTIONS_PER_TASK).map(|sections| of_sections(map, sections)).collect()
     };
-    rows.lane_lengths = stored.into_iter().flatten().collect::<Vec<_>>().into();
+    let mut stored: Vec<_> = stored.into_iter().flatten().collect();
+    stored.sort_by_key(|row| row.lane);
+    rows.lane_lengths = stored.into();
 }
 
-fn of_lanes(map: Map<'_>, lanes: &[u32]) -> Vec<LaneLengthRow> {
-    let mut stored = Vec::new();
-    for number in lanes {
-        let along = map.lane_by_row(*number).map(|lane| lengths_along(&lane)).unwrap_or_default();
-        let rows = along.into_iter();
-        stored.extend(rows.map(|(s, length)| LaneLengthRow {
-            s,
-            length,
-            lane: *number,
-            reserved: 0,
-        }));
-    }
-    stored
+fn of_sections(map: Map<'_>, sections: &[u32]) -> Vec<LaneLengthRow> {
+    let sections = sections.iter().filter_map(|number| map.section_by_row(*number));
+    let lengths = sections.flat_map(|section| lengths_along(&section));
+    lengths
+        .map(|row| LaneLengthRow { s: row.s, length: row.length, lane: row.lane, reserved: 0 })
+        .collect()
 }

@@ -80,7 +80,6 @@ fn build(
         index::objects(&mut rows);
         index::signals(&mut rows);
         index::lane_blocks(&mut rows);
-        index::lane_lengths(&mut rows);
         match index::lanes(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {
@@ -179,6 +178,7 @@ impl Document {
             self.collector.add_late(lost, &self.places);
             return Ok(None);
         }
+        index::lane_lengths(&mut rows);
         progress(Progress::Graph { nodes: rows.lane_nodes.len() });
         let mut findings =
             graph::complete(&mut rows, &self.graph, options, &self.collector.settings);
