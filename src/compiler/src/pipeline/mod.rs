@@ -208,7 +208,7 @@ fn read(
     let mut draft = Draft::new(Arc::clone(&ontology), extras);
     let mut collector = Collector::new(without, &reading.rules);
     let mut quarantined = Vec::new();
-    let (places, version, mut checker, read) = {
+    let (places, version, mut checker, read) = rayon::in_place_scope_fifo(|scope| {
         let mut inputs = Inputs::new(reading.limits.source);
         if let Some(folder) = &reading.include_folder {
             inputs = inputs.with_include_folder(folder);
@@ -218,7 +218,7 @@ fn read(
             Some(patch) => inputs.open_patched(Box::new(&mut hashing), "", patch),
         };
         let reader = Reader::with_source(inputs, source, reading.limits);
-        let mut stream = Stream::new(reader, reading.batch_bytes);
+        let mut stream = Stream::new(reader, reading.batch_bytes, scope);
         let places = stream.reader.places().clone();
         let none_near = places.near(0, 0);
         let mut checker = Checker::new(&reading.rules);
@@ -272,8 +272,8 @@ fn read(
         let stated = reader.stated_version().to_owned();
         let version = Version { stated, checked: reader.checked_version() };
         draft.annotate_root(reader.extensions().as_slice(), &places);
-        (places, version, checker, reader.take_findings())
-    };
+        io::Result::Ok((places, version, checker, reader.take_findings()))
+    })?;
     progress(Progress::Linking { roads: draft.roads() });
     let mut late = Vec::new();
     let whole = checker.whole();
