@@ -7,11 +7,11 @@ use crate::beside::Beside;
 use crate::folds;
 use crate::lane::Lane;
 use crate::polyline::segment_ends;
-use crate::profile::At;
+use crate::profile::{self, At};
 use crate::road::{GeometryPiece, geometry_at};
 use crate::types::{Clamped, LaneEdges, LanePosition, turned};
 use glam::DVec2;
-use mapd_archive::ArchivedGeometryRow;
+use mapd_archive::{ArchivedGeometryRow, lane_flags};
 use mapd_geometry::{clamp, normalize_angle};
 
 /// Iterations for the foot on a border; each gains several digits, the last ones are for points far outside.
@@ -28,6 +28,9 @@ const MAX_SWING: f64 = 0.25;
 const SEARCH_PARTS: usize = 8;
 /// Halvings of a part in which there is a foot: from metres to a picometre.
 const HALVINGS: usize = 40;
+
+/// Corners of a border that a stretch is looked at between: of each width that closes and opens there are three at most.
+const MOST_CORNERS: usize = 16;
 
 /// A stretch of a lane.
 #[derive(Clone, Copy)]
@@ -485,6 +488,9 @@ impl Border<'_, '_> {
         if self.lane.even_outer(self.slab.at(self.slab.s_lo), self.slab.s_hi).is_some() {
             return false;
         }
+        if self.corner(self.slab.s_lo) < self.slab.s_hi {
+            return true;
+        }
         let slopes = [self.slab.s_lo, self.slab.middle(), self.slab.s_hi].map(|s| {
             let slopes = self.lane.edge_slopes(self.slab.at(s));
             if self.outer { slopes.outer.derivative } else { slopes.inner.derivative }
@@ -494,23 +500,51 @@ impl Border<'_, '_> {
         swing * distance > MAX_SWING * (self.slab.s_hi - self.slab.s_lo)
     }
 
-    /// Distance by looking everywhere, then more closely wherever it falls and rises again.
+    /// The first place behind an s where a width closes or opens between records, so that the border has a corner; else the slab's end.
+    // There once: two ask.
+    #[inline(never)]
+    fn corner(&self, from: f64) -> f64 {
+        let (at, cubics) = (self.slab.at(from), self.lane.map.tables().cubics);
+        let mut to = self.slab.s_hi;
+        self.lane.walk_outwards(|lane| {
+            if lane.flags() & lane_flags::BORDER == 0 {
+                to = profile::corner(lane.widths().of(cubics), at, from, to).unwrap_or(to);
+            }
+        });
+        to
+    }
+
+    /// Distance by looking everywhere between corners.
     #[inline(never)]
     fn search(&self) -> f64 {
-        let part = (self.slab.s_hi - self.slab.s_lo) / SEARCH_PARTS as f64;
+        let (mut best, mut from, end) = (f64::INFINITY, self.slab.s_lo, self.slab.s_hi);
+        for corners in 0..=MOST_CORNERS {
+            let to = if corners < MOST_CORNERS { self.corner(from) } else { end };
+            best = best.min(self.search_between(from, to));
+            if to >= end {
+                break;
+            }
+            from = to;
+        }
+        best
+    }
+
+    /// Distance by looking everywhere between two places, then more closely wherever it falls and rises again. At a corner it may do either.
+    fn search_between(&self, from: f64, to: f64) -> f64 {
+        let part = (to - from) / SEARCH_PARTS as f64;
         let mut best = f64::INFINITY;
-        let mut before: Option<(f64, f64)> = None;
+        let mut before: Option<(f64, bool)> = None;
         for i in 0..=SEARCH_PARTS {
-            let s = self.slab.s_lo + part * i as f64;
+            let s = if i == SEARCH_PARTS { to } else { from + part * i as f64 };
             let found = self.at(s);
             best = best.min(found.distance);
-            if let Some((low, step)) = before
-                && step > 0.0
-                && found.step < 0.0
+            let rises = found.step < 0.0 || (i == SEARCH_PARTS && to < self.slab.s_hi);
+            if let Some((low, true)) = before
+                && rises
             {
                 best = best.min(self.between(low, s));
             }
-            before = Some((s, found.step));
+            before = Some((s, found.step > 0.0 || (i == 0 && from > self.slab.s_lo)));
         }
         best
     }

@@ -121,6 +121,8 @@ const SLIVER: f64 = 1e-9;
 
 /// Where a record becomes positive between two s, or no longer is: the last s before or the first behind it, whichever is not positive `[m]`. The first such
 /// place.
+// There once, however many ask.
+#[inline(never)]
 pub(crate) fn sign_change(row: &ArchivedCubicRow, from: f64, to: f64) -> Option<f64> {
     let Cubic { b, c, d, .. } = cubic(row);
     let is_positive = |s: f64| cubic(row).value(s - row.s()) > 0.0;
@@ -144,6 +146,12 @@ pub(crate) fn sign_change(row: &ArchivedCubicRow, from: f64, to: f64) -> Option<
         begin = end;
     }
     None
+}
+
+/// Where the width that holds at a place closes or opens between two s, as [`sign_change`].
+pub(crate) fn corner(records: &[ArchivedCubicRow], at: At, from: f64, to: f64) -> Option<f64> {
+    let row = record(records, at).filter(|row| !Record::of(Some(row)).is_constant())?;
+    sign_change(row, from, to).filter(|s| *s > from && *s < to)
 }
 
 /// The record that holds at a place: its [`Record::value`] is [`value`] wherever the same holds.

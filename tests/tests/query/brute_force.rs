@@ -2,7 +2,8 @@
 //! projection, only where (s, t) lies.
 
 use mapd_client::glam::DVec2;
-use mapd_client::{Lane, Map, NearestOptions, Road, Track};
+use mapd_client::vocabulary::LaneType;
+use mapd_client::{Lane, LaneTypes, Map, NearestOptions, Road, Track};
 use mapd_geometry::clamp;
 use mapd_tests::maps::{Random, carried_and, open, open_text};
 
@@ -284,7 +285,12 @@ fn what_is_found_is_the_nearest_of_all() {
 
 /// Of one lane: as near as its nearest cross-section, or in it.
 fn check(map: Map<'_>, lanes: &Stretches<'_>, point: DVec2, context: &str) {
-    let options = NearestOptions { radius: RADIUS, ..NearestOptions::default() };
+    check_types(map, LaneTypes::ALL, lanes, point, context);
+}
+
+/// As [`check`], of lanes of some types, of which all stretches are.
+fn check_types(map: Map<'_>, types: LaneTypes, lanes: &Stretches<'_>, point: DVec2, context: &str) {
+    let options = NearestOptions { radius: RADIUS, types, ..NearestOptions::default() };
     let hit = map.nearest_lane(point, &options).expect("an answer").expect("a lane");
     let (distance, s) = (hit.position.distance, hit.position.s);
     if distance > 0.0 {
@@ -351,6 +357,65 @@ fn what_lies_beyond_the_centre_of_curvature_is_found() {
         for _ in 0..POINTS {
             let point = DVec2::new(random.between(-12.0, 16.0), random.between(-12.0, 16.0));
             check(map, &lanes, point, &format!("{bend} {side}"));
+        }
+    }
+}
+
+/// Where a width closes or opens within one of its records, edges have a corner, on either side of which may be the nearest place.
+#[test]
+fn the_nearest_place_is_found_beside_a_corner() {
+    const LENGTH: f64 = 20.0;
+    let mut random = Random(34);
+    let widths = [
+        [0.03, -0.079, 0.0, 0.0],
+        [0.4, -0.11, 0.004, 0.0],
+        [2.0, -0.9, 0.0, 0.0],
+        [-0.5, 0.3, 0.0, 0.0],
+        [-1.0, 1.4, -0.3, 0.0],
+        [1.0, -1.2, 0.35, -0.025],
+    ];
+    let bends = [r#"<line/>"#, r#"<arc curvature="0.03"/>"#, r#"<arc curvature="-0.03"/>"#];
+    for ([a, b, c, d], bend) in widths.into_iter().flat_map(|width| bends.map(|bend| (width, bend)))
+    {
+        let snapshot = open_text(&format!(
+            r#"<OpenDRIVE><header revMajor="1" revMinor="8"/><road id="1" length="{LENGTH}" junction="-1"><planView>
+            <geometry s="0" x="0" y="0" hdg="0" length="{LENGTH}">{bend}</geometry></planView><lanes><laneSection s="0">
+            <center><lane id="0" type="none"/></center><right><lane id="-1" type="driving">
+            <width sOffset="0" a="3" b="0" c="0" d="0"/></lane><lane id="-2" type="sidewalk">
+            <width sOffset="0" a="{a}" b="{b}" c="{c}" d="{d}"/></lane></right></laneSection></lanes></road></OpenDRIVE>"#
+        ));
+        let map = snapshot.map();
+        let lane = map.lanes().find(|lane| lane.number() == -2).expect("the lane");
+        let is_open = |s: f64| a + s * (b + s * (c + s * d)) > 0.0;
+        let places: Vec<f64> = (0..=2000).map(|i| LENGTH * f64::from(i) / 2000.0).collect();
+        let corners: Vec<f64> = places
+            .windows(2)
+            .filter(|pair| is_open(pair[0]) != is_open(pair[1]))
+            .map(|pair| {
+                let (mut low, mut high) = (pair[0], pair[1]);
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    *if is_open(middle) == is_open(pair[0]) { &mut low } else { &mut high } =
+                        middle;
+                }
+                if is_open(low) { high } else { low }
+            })
+            .collect();
+        assert!(!corners.is_empty(), "{a}, {b}, {c}, {d}");
+        let all = cuts(0.0, LENGTH, corners.iter().copied().chain(places));
+        let stretches = all.windows(2).filter(|pair| pair[0] < pair[1]);
+        let stretches =
+            stretches.map(|pair| Stretch::new(Some(lane), lane.road(), pair[0], pair[1]));
+        let stretches = Stretches::new(stretches.collect());
+        let types = LaneTypes::NONE.with(LaneType::Sidewalk);
+        for i in 0..POINTS {
+            let corner = corners[i % corners.len()];
+            let reach = [0.1, 0.5, 2.0, 8.0][i / corners.len() % 4];
+            let (s, t) =
+                (corner + random.between(-reach, reach), random.between(-reach, reach) - 3.0);
+            let track = Track { s: clamp(s, 0.0, LENGTH), t, h: 0.0 };
+            let point = lane.road().to_inertial(track).expect("a pose").position.truncate();
+            check_types(map, types, &stretches, point, &format!("{a}, {b}, {c}, {d}, {bend}"));
         }
     }
 }
