@@ -22,7 +22,7 @@ pub(crate) struct HashingReader<R> {
 
 /// What is being hashed.
 #[derive(Default)]
-struct Hashing {
+pub(crate) struct Hashing {
     /// Held by whoever takes chunks from those that wait, so that they are hashed in order.
     hasher: Mutex<blake3::Hasher>,
     waiting: Mutex<Chunks>,
@@ -41,6 +41,13 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl Hashing {
+    /// Hashes all that waits, unless another thread does.
+    pub(crate) fn help(&self) {
+        if let Ok(hasher) = self.hasher.try_lock() {
+            self.work(hasher);
+        }
+    }
+
     /// Hashes all that waits.
     fn work(&self, mut hasher: MutexGuard<'_, blake3::Hasher>) {
         loop {
@@ -57,6 +64,11 @@ impl<R: Read> HashingReader<R> {
     pub(crate) fn new(inner: R) -> Self {
         let is_parallel = rayon::current_num_threads() > 1;
         Self { inner, hashing: Arc::default(), chunk: Vec::new(), is_parallel }
+    }
+
+    /// What waits to be hashed, for threads that have time.
+    pub(crate) fn hashing(&self) -> Arc<Hashing> {
+        Arc::clone(&self.hashing)
     }
 
     /// BLAKE3 of the whole input and of what it includes: what the parser left unread is read now, so that the hash names
@@ -101,12 +113,8 @@ impl<R: Read> HashingReader<R> {
             return;
         }
         let hashing = Arc::clone(&self.hashing);
-        rayon::spawn_fifo(move || {
-            // Who holds it takes this chunk, too, or the next one does, or the end.
-            if let Ok(hasher) = hashing.hasher.try_lock() {
-                hashing.work(hasher);
-            }
-        });
+        // Who holds it takes this chunk, too, or the next one does, or the end.
+        rayon::spawn_fifo(move || hashing.help());
     }
 }
 

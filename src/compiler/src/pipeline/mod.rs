@@ -208,6 +208,7 @@ fn read(
     let mut draft = Draft::new(Arc::clone(&ontology), extras);
     let mut collector = Collector::new(without, &reading.rules);
     let mut quarantined = Vec::new();
+    let to_hash = hashing.hashing();
     let (places, version, mut checker, read) = rayon::in_place_scope_fifo(|scope| {
         let mut inputs = Inputs::new(reading.limits.source);
         if let Some(folder) = &reading.include_folder {
@@ -218,7 +219,7 @@ fn read(
             Some(patch) => inputs.open_patched(Box::new(&mut hashing), "", patch),
         };
         let reader = Reader::with_source(inputs, source, reading.limits);
-        let mut stream = Stream::new(reader, reading.batch_bytes, scope);
+        let mut stream = Stream::new(reader, reading.batch_bytes, scope, to_hash);
         let places = stream.reader.places().clone();
         let none_near = places.near(0, 0);
         let mut checker = Checker::new(&reading.rules);

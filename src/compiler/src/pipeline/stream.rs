@@ -4,6 +4,7 @@
 //! that of the caller, takes what was made of them in order. Items and findings are the same, in the same order, as those of a reader
 //! without any of this.
 
+use super::hashing::Hashing;
 use super::part::{Lowered, Plan};
 use mapd_xodr::{Context, Cutter, Delivered, Item, ReadBatch, Reader, RestOfDocument};
 use rayon::ScopeFifo;
@@ -43,6 +44,7 @@ pub(crate) struct Stream<'a, 's> {
     batch_bytes: Option<usize>,
     /// Where the text is cut.
     scope: &'s ScopeFifo<'a>,
+    hashing: Arc<Hashing>,
 }
 
 /// A batch that is being read; none behind the last.
@@ -63,6 +65,7 @@ struct Shared<'a> {
     /// None when the document is read on without batches.
     cutter: Mutex<Option<Cutter<'a>>>,
     orders: Mutex<Orders>,
+    hashing: Arc<Hashing>,
 }
 
 /// What there is to cut.
@@ -82,14 +85,15 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl<'a, 's> Stream<'a, 's> {
-    /// With one thread in the pool, nothing is read ahead. The text is cut within `scope`.
+    /// With one thread in the pool, nothing is read ahead. The text is cut within `scope`, and hashed between two batches.
     pub(crate) fn new(
         reader: Reader<'a>,
         batch_bytes: Option<usize>,
         scope: &'s ScopeFifo<'a>,
+        hashing: Arc<Hashing>,
     ) -> Self {
         let is_parallel = rayon::current_num_threads() > 1;
-        Self { reader, ahead: None, is_parallel, batch_bytes, scope }
+        Self { reader, ahead: None, is_parallel, batch_bytes, scope, hashing }
     }
 
     /// As [`Reader::next`]; batches are lowered as `plan` says, if it does.
@@ -105,7 +109,8 @@ impl<'a, 's> Stream<'a, 's> {
                 // The version is settled now; what comes is roads.
                 if self.is_parallel && matches!(item, Some(Item::Header(_))) {
                     let bytes = self.batch_bytes;
-                    self.ahead = self.reader.split().map(|rest| Ahead::new(rest, bytes));
+                    let hashing = Arc::clone(&self.hashing);
+                    self.ahead = self.reader.split().map(|rest| Ahead::new(rest, bytes, hashing));
                 }
                 return Ok(item.map(Next::Item));
             };
@@ -143,12 +148,13 @@ impl<'a> Ahead<'a> {
     fn new(
         RestOfDocument { context, cutter }: RestOfDocument<'a>,
         batch_bytes: Option<usize>,
+        hashing: Arc<Hashing>,
     ) -> Self {
         let cutter = match batch_bytes {
             Some(bytes) => cutter.with_batch_bytes(bytes),
             None => cutter,
         };
-        let shared = Shared { cutter: Mutex::new(Some(cutter)), orders: Mutex::default() };
+        let shared = Shared { cutter: Mutex::new(Some(cutter)), orders: Mutex::default(), hashing };
         Self { context, shared: Arc::new(shared), cut: channel(), ordered: 0 }
     }
 
@@ -209,6 +215,8 @@ fn read_one<'a>(shared: Arc<Shared<'a>>, cut: Sender<Reading>, scope: &ScopeFifo
         None => FinishedBatch { read: context.read(batch), lowered: None },
     });
     let _ = done.send(finished);
+    // Else it is left to whoever cuts, while all others wait.
+    shared.hashing.help();
     scope.spawn_fifo(move |scope| read_one(shared, cut, scope));
 }
 

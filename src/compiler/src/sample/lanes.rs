@@ -6,7 +6,7 @@ use super::flatten::{Curve, Fault, Sample, flatten};
 use crate::findings::TooLarge;
 use crate::options::CompileOptions;
 use glam::DVec3;
-use mapd_archive::{Archive, Header, LaneRow, PointCode, Rows, SectionRow};
+use mapd_archive::{Archive, Header, KeyedHash, LaneRow, PointCode, Rows, SectionRow};
 use mapd_query::compiling::{ByRow as _, Parallel};
 use mapd_query::{Lane, LaneEdges, LaneSection, Map};
 use rayon::prelude::*;
@@ -62,6 +62,9 @@ struct Line {
     bytes: usize,
 }
 
+/// Where sequences of stations begin, by their bytes.
+type KnownStations = HashMap<Vec<u8>, u32, KeyedHash>;
+
 /// Fills `point_stations`, `points`, what sections and lanes say of them, and the map's bounds. Sections are sampled in parallel and
 /// joined in order. Yields lanes whose lines have more points than lines may have, or such as cannot be written; of a section with such a lane, not all lanes are
 /// looked at. Where the allowance is exceeded, nothing of it is of use.
@@ -73,7 +76,7 @@ pub(crate) fn sample(
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let mut unfit = Vec::new();
     // Equal sections have equal stations: each sequence is written once.
-    let mut known: HashMap<Vec<u32>, u32> = HashMap::new();
+    let mut known = KnownStations::default();
     let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
     for numbers in numbers.chunks(SECTIONS_AT_ONCE) {
         let lines: Vec<Lines> = {
@@ -107,7 +110,7 @@ fn store<'a>(
     rows: &mut Rows,
     numbers: impl Iterator<Item = &'a u32>,
     lines: &Lines,
-    known: &mut HashMap<Vec<u32>, u32>,
+    known: &mut KnownStations,
 ) -> Result<(), TooLarge> {
     let mut stations = lines.stations.as_slice();
     for (number, frame) in numbers.zip(&lines.frames) {
@@ -117,7 +120,7 @@ fn store<'a>(
         let (own, others) = stations.split_at(frame.stations);
         let first = u32::try_from(rows.point_stations.len());
         let first = first.map_err(|_| TooLarge::new("point_stations"))?;
-        let key: &[u32] = bytemuck::cast_slice(own);
+        let key: &[u8] = bytemuck::cast_slice(own);
         row.first_station = match known.get(key) {
             Some(first) => *first,
             None => {
