@@ -72,8 +72,9 @@ fn widths(records: &[ArchivedCubicRow], from: f64, to: f64) -> Vec<Record> {
     let mut pieces = Vec::new();
     each_held(records, from, to, |row, from, to| {
         let (record, mut s) = (Record::of(row), from);
-        for _ in 0..=SIGN_CHANGES {
-            let change = row.filter(|_| !record.is_constant());
+        for changes in 0..=SIGN_CHANGES {
+            let may_change = changes < SIGN_CHANGES && !record.is_constant();
+            let change = row.filter(|_| may_change);
             let change = change.and_then(|row| profile::sign_change(row, s, to));
             let end = change.filter(|end| *end > s).unwrap_or(to);
             let is_open = record.value(0.5 * (s + end)) > 0.0;
