@@ -129,6 +129,8 @@ fn errors_that_end_a_daemon_are_in_its_log() {
         (&["--overlay-from", missing], 2, missing),
         (&["--metrics", "0.0.0.0:0"], 2, "--metrics-open"),
         (&["--prefix", "no/prefix"], 2, "no/prefix"),
+        (&["--no-cache", "--last-good"], 2, "--last-good needs the cache"),
+        (&["--no-cache", "--cache-size", "1GiB"], 2, "--cache-size needs the cache"),
     ] {
         let ended = |format: &str| {
             let load = ["--load", &town(), "--log", format];

@@ -192,6 +192,14 @@ impl DaemonArgs {
             memory: self.compile_memory.or(file.compile_memory).map(|size| size.0),
             threads: self.threads.get().or(file.threads),
         };
+        if self.is_without_cache(&file) {
+            let map = maps.iter().find(|map| map.last_good);
+            let last_good = map.map(|map| format!("map {}: --last-good", map.name));
+            let size = self.cache_size.map(|_| "--cache-size".to_owned());
+            if let Some(option) = last_good.or(size) {
+                bail!(UsageError(format!("{option} needs the cache, which --no-cache turns off")));
+            }
+        }
         let cache = self.cache(&file)?;
         let lock_memory = self.lock_memory || file.lock_memory;
         let share = self.share.or(file.share).map_or(Share::Private, |with| with.0);
@@ -232,9 +240,14 @@ impl DaemonArgs {
         Ok(OverlayRules { limits, policy: Policy { may_loosen }, trust })
     }
 
+    /// Whether the cache is turned off: on the command line, or in a configuration that the command line does not contradict.
+    fn is_without_cache(&self, file: &Configuration) -> bool {
+        self.no_cache || (file.no_cache && self.cache.is_none())
+    }
+
     /// The cache. One that was asked for must be usable; the default one is done without if it is not.
     fn cache(&self, file: &Configuration) -> Result<Option<Cache>> {
-        if self.no_cache || (file.no_cache && self.cache.is_none()) {
+        if self.is_without_cache(file) {
             return Ok(None);
         }
         let limit = self.cache_size.or(file.cache_size).map_or(cache::DEFAULT_LIMIT, |size| size.0);
