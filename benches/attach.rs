@@ -82,10 +82,11 @@ const MANY: usize = 900;
 /// Generations whose events are heard.
 const EVENTS: usize = 200;
 
-/// What an observer may take at most of what open and mmap take, from exec to the first answer and until the last of many processes has its own; of what the
-/// same steps take in C; and to attach to one of many maps, of what the only one takes.
+/// What an observer may take at most of what open and mmap take, from exec to the first answer and until the last of many processes has its own.
 const AS_A_FILE: f64 = 1.15;
+/// What attaching alone may take of what the same steps take in C.
 const AS_IN_C: f64 = 1.5;
+/// What attaching to one of many maps may take of what the only one takes.
 const AS_THE_ONLY_ONE: f64 = 1.2;
 /// How much later than a subscriber an observer may hear of a generation, in the median `[ms]`.
 const LATER: f64 = 1.0;

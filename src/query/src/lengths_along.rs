@@ -6,11 +6,12 @@
 use crate::begun::begun;
 use crate::beside::Beside;
 use crate::lane::Lane;
+use crate::lane_edges::EdgeSlopes;
 use crate::lane_length::{CachedGeometry, Stretch};
-use crate::profile::{self, Record, Slope};
+use crate::profile::{self, Record};
 use crate::road::Road;
 use crate::section::LaneSection;
-use mapd_archive::{ArchivedCubicRow, lane_flags};
+use mapd_archive::{ArchivedCubicRow, LaneLengthRow, lane_flags};
 
 /// Records between two places of a lane up to which its length is stored.
 const RECORDS_PER_LENGTH: usize = 16;
@@ -19,20 +20,9 @@ const FEW_RECORDS: usize = 32;
 /// A cubic changes its sign so often at most.
 const SIGN_CHANGES: usize = 3;
 
-/// How long the centre line of a lane is up to a place `[m]`.
-#[derive(Clone, Copy, Debug)]
-pub struct LengthAlong {
-    /// Row of the lane.
-    pub lane: u32,
-    /// The place on the road `[m]`: where a record begins.
-    pub s: f64,
-    /// The length from the section's start `[m]`.
-    pub length: f64,
-}
-
 /// Lengths along the lanes of a section, lane by lane: after each 16 records of a lane of more than 32, none of another. Where the archive
 /// has them, [`Lane::length_between`] looks at no more than 16 at either end.
-pub fn lengths_along(section: &LaneSection<'_>) -> Vec<LengthAlong> {
+pub fn lengths_along(section: &LaneSection<'_>) -> Vec<LaneLengthRow> {
     let Some(walk) = Walk::new(section) else { return Vec::new() };
     let lanes: Vec<_> = section.lanes().collect();
     let Some(center) = lanes.iter().position(|lane| lane.number() == 0) else { return Vec::new() };
@@ -187,7 +177,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Adds the lengths along a lane with an inner and an outer edge.
-    fn along(&self, lane: &Lane<'_>, edges: [&[Record]; 2], along: &mut Vec<LengthAlong>) {
+    fn along(&self, lane: &Lane<'_>, edges: [&[Record]; 2], along: &mut Vec<LaneLengthRow>) {
         let mut records = 0;
         self.each_stretch(edges, |_, _| records += 1);
         if records <= FEW_RECORDS {
@@ -198,14 +188,12 @@ impl<'a> Walk<'a> {
             number += 1;
             length += stretch.length(|at| {
                 let [inner, outer] = middle.map(|edge| edge.slope(at.s));
-                let t = Slope {
-                    value: 0.5 * (inner.value + outer.value),
-                    derivative: 0.5 * (inner.derivative + outer.derivative),
-                };
+                let t = EdgeSlopes { inner, outer }.center();
                 Beside::new(&self.road, at, self.road.roll(at), t)
             });
             if number % RECORDS_PER_LENGTH == 0 && number < records {
-                along.push(LengthAlong { lane: lane.row_number(), s: stretch.to, length });
+                let (s, lane) = (stretch.to, lane.row_number());
+                along.push(LaneLengthRow { s, length, lane, reserved: 0 });
             }
         });
     }

@@ -24,8 +24,5 @@ pub(crate) fn build(rows: &mut Rows) {
 
 fn of_sections(map: Map<'_>, sections: &[u32]) -> Vec<LaneLengthRow> {
     let sections = sections.iter().filter_map(|number| map.section_by_row(*number));
-    let lengths = sections.flat_map(|section| lengths_along(&section));
-    lengths
-        .map(|row| LaneLengthRow { s: row.s, length: row.length, lane: row.lane, reserved: 0 })
-        .collect()
+    sections.flat_map(|section| lengths_along(&section)).collect()
 }

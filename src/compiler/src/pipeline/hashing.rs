@@ -35,8 +35,8 @@ struct Chunks {
     spare: Vec<Vec<u8>>,
 }
 
-/// What a panic leaves behind is whole: chunks are moved, not changed.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+/// What a panic leaves behind is whole, chunks are moved and not changed; or nobody relies on it, for what follows is not read.
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

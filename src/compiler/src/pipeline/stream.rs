@@ -4,14 +4,14 @@
 //! that of the caller, takes what was made of them in order. Items and findings are the same, in the same order, as those of a reader
 //! without any of this.
 
-use super::hashing::Hashing;
+use super::hashing::{Hashing, lock};
 use super::part::{Lowered, Plan};
 use mapd_xodr::{Context, Cutter, Delivered, Item, ReadBatch, Reader, RestOfDocument};
 use rayon::ScopeFifo;
 use std::collections::VecDeque;
 use std::io;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel, sync_channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 /// Batches that wait or are being read, beyond one for each thread: so many that no thread waits for the one that takes them.
@@ -77,11 +77,6 @@ struct Orders {
     threads: usize,
     /// Room of batches that are done with.
     rooms: Vec<Vec<u8>>,
-}
-
-/// A panic leaves nothing behind that others rely on: what follows is not read.
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl<'a, 's> Stream<'a, 's> {
