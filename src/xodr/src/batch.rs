@@ -11,10 +11,10 @@ use crate::finding::Span;
 use crate::findings::{Counts, Findings, KeptFinding};
 use crate::generated::{Item, read_document};
 use crate::limits::Limits;
-use crate::source::{Inputs, NearPlaces, Note, Places, Source};
+use crate::source::{Inputs, NearPlaces, Note, Places, Source, WINDOW};
 use crate::well_formed::Structure;
 use crate::window::{Stop, Unread, Window};
-use std::io::BufRead as _;
+use std::io::Read as _;
 use std::sync::Arc;
 
 /// Bytes of text that a batch has at least. The longest part of a batch's cost that does not grow with it is taking it from
@@ -58,8 +58,9 @@ pub struct RestOfDocument<'a> {
 /// Cuts what is left of a document into batches.
 pub struct Cutter<'a> {
     pub(crate) source: Source<'a>,
-    /// Text that is in no batch yet.
-    pub(crate) text: Vec<u8>,
+    /// Text that is in no batch yet, and room behind it.
+    room: Vec<u8>,
+    filled: usize,
     pub(crate) start: u64,
     /// Bytes of it in which no end was found.
     searched: usize,
@@ -77,7 +78,8 @@ impl<'a> Cutter<'a> {
         let ends = CUT_BEHIND.map(|name| [b"</", prefix, name.as_bytes(), b">"].concat());
         Self {
             source,
-            text,
+            filled: text.len(),
+            room: text,
             start,
             searched: 0,
             stop: None,
@@ -97,18 +99,23 @@ impl<'a> Cutter<'a> {
     #[expect(clippy::should_implement_trait, reason = "where it ends, there is more to read")]
     pub fn next(&mut self) -> Option<Batch> {
         loop {
-            if self.text.len() >= self.least {
+            if self.filled >= self.least {
                 if let Some(end) = self.end() {
-                    let mut rest = self.spare.pop().unwrap_or_default();
-                    rest.extend_from_slice(self.text.get(end..).unwrap_or_default());
-                    self.text.truncate(end);
-                    let text = std::mem::replace(&mut self.text, rest);
+                    let rest = self.room.get(end..self.filled).unwrap_or_default();
+                    let mut room = self.spare.pop().unwrap_or_default();
+                    make_room(&mut room, rest.len());
+                    if let Some(place) = room.get_mut(..rest.len()) {
+                        place.copy_from_slice(rest);
+                    }
+                    self.filled = rest.len();
+                    let mut text = std::mem::replace(&mut self.room, room);
+                    text.truncate(end);
                     let start = self.start;
-                    self.start += text.len() as u64;
+                    self.start += end as u64;
                     self.searched = 0;
                     return Some(Batch { text, start, notes: self.source.take_notes() });
                 }
-                if self.text.len() > CUTLESS_BYTES {
+                if self.filled > CUTLESS_BYTES {
                     return None;
                 }
             }
@@ -118,10 +125,14 @@ impl<'a> Cutter<'a> {
         }
     }
 
-    /// Takes the room of a batch that is done with, for those to come.
-    pub fn give_back(&mut self, mut room: Vec<u8>) {
+    /// Text that is in no batch yet.
+    pub(crate) fn text(&self) -> &[u8] {
+        self.room.get(..self.filled).unwrap_or_default()
+    }
+
+    /// Takes the room of a batch that is done with, for those to come. It keeps its length: nothing has to be cleared before it is read into.
+    pub fn give_back(&mut self, room: Vec<u8>) {
         if room.capacity() <= ROOM_BATCHES * self.least {
-            room.clear();
             self.spare.push(room);
         }
     }
@@ -131,22 +142,21 @@ impl<'a> Cutter<'a> {
         // A tag may have been read in part.
         let longest = self.ends.iter().map(Vec::len).max().unwrap_or_default();
         let from = self.searched.max(self.least.saturating_sub(longest));
-        let rest = self.text.get(from..).unwrap_or_default();
+        let rest = self.text().get(from..).unwrap_or_default();
         let ends = self.ends.iter();
         let ends = ends.filter_map(|tag| Some(memchr::memmem::find(rest, tag)? + tag.len()));
-        self.searched = self.text.len().saturating_sub(longest);
-        ends.min().map(|end| from + end)
+        let end = ends.min().map(|end| from + end);
+        self.searched = self.filled.saturating_sub(longest);
+        end
     }
 
     fn more(&mut self) -> bool {
         if self.stop.is_some() {
             return false;
         }
-        let count = match self.source.fill_buf() {
-            Ok(chunk) => {
-                self.text.extend_from_slice(chunk);
-                chunk.len()
-            }
+        make_room(&mut self.room, self.filled + WINDOW);
+        let count = match self.source.read(self.room.get_mut(self.filled..).unwrap_or_default()) {
+            Ok(count) => count,
             Err(error) => {
                 self.stop = Some(Stop::of(error));
                 return false;
@@ -155,8 +165,14 @@ impl<'a> Cutter<'a> {
         if count == 0 {
             self.stop = Some(Stop::End);
         }
-        self.source.consume(count);
+        self.filled += count;
         count > 0
+    }
+}
+
+fn make_room(room: &mut Vec<u8>, bytes: usize) {
+    if room.len() < bytes {
+        room.resize(bytes, 0);
     }
 }
 

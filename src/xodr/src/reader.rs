@@ -399,7 +399,7 @@ impl<'a> Reader<'a> {
             self.cursor.add_notes(batch.take_notes(), cutter.source.file());
         }
         let start = start.unwrap_or(cutter.start);
-        text.extend_from_slice(&cutter.text);
+        text.extend_from_slice(cutter.text());
         let hold_limit = self.cursor.limits.extension_bytes;
         self.cursor.window.go_on(text, start, cutter.source, hold_limit, cutter.stop);
     }

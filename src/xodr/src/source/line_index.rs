@@ -1,5 +1,6 @@
 //! From byte offsets to lines and columns.
 
+use super::characters;
 use std::ops::Range;
 
 /// A place in a text file.
@@ -64,13 +65,12 @@ impl LineIndex {
         Self { lengths, checkpoints, lines: 0, line_start: 0, next: 0, capacity }
     }
 
-    /// Takes in the next bytes of the input.
-    pub(crate) fn feed(&mut self, bytes: &[u8]) {
-        for newline in memchr::memchr_iter(b'\n', bytes) {
-            let end = self.next + newline as u64 + 1;
-            self.line(end);
-        }
+    /// Takes in the next bytes of the input. Whether they may have a character that XML does not allow: looked for in the same pass.
+    pub(crate) fn feed(&mut self, bytes: &[u8]) -> bool {
+        let next = self.next;
+        let may_be_illegal = characters::look(bytes, |at| self.line(next + at as u64 + 1));
         self.next += bytes.len() as u64;
+        may_be_illegal
     }
 
     fn line(&mut self, end: u64) {

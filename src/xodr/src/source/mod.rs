@@ -23,3 +23,4 @@ pub use line_index::{LineIndex, Position};
 pub use note::{Note, NoteKind, Refusal, RefusalKind};
 pub use places::{NearPlaces, Places, SourceLocation};
 pub use text::Source;
+pub(crate) use text::WINDOW;

@@ -202,11 +202,10 @@ impl Places {
         }
     }
 
-    /// Takes in the next bytes of a file's decoded text.
-    pub(super) fn feed(&self, file: u16, bytes: &[u8]) {
-        if let Some(file) = self.lock().get_mut(usize::from(file)) {
-            file.lines.feed(bytes);
-        }
+    /// Takes in the next bytes of a file's decoded text. Whether they may have a character that XML does not allow.
+    pub(super) fn feed(&self, file: u16, bytes: &[u8]) -> bool {
+        let mut files = self.lock();
+        files.get_mut(usize::from(file)).is_some_and(|file| file.lines.feed(bytes))
     }
 
     /// Nothing here can be left half done, so a panic elsewhere while it was held is no reason to stop.

@@ -11,8 +11,9 @@ use std::io::{self, BufRead, Read};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Bytes read, decoded and handed on at once. It bounds how far a piece can grow beyond its limit.
-const WINDOW: usize = 64 << 10;
+/// Bytes read, decoded and handed on at once. It bounds how far a piece can grow beyond its limit. Whoever reads into as much room or more
+/// gets whole characters.
+pub(crate) const WINDOW: usize = 64 << 10;
 /// Illegal characters that are noted one by one.
 const ILLEGAL_NOTES: usize = 64;
 
@@ -154,13 +155,22 @@ impl<'a> Source<'a> {
         self.piece_limit = limit;
     }
 
+    #[inline]
+    fn look_at_piece(&self) -> io::Result<()> {
+        if self.taken > self.piece_limit {
+            let kind = RefusalKind::Piece(self.piece_limit);
+            return Err(invalid(Refusal { start: self.offset(), kind }));
+        }
+        Ok(())
+    }
+
     /// The refusal that an error of reading carries; none if the environment failed.
     pub fn refusal(error: &io::Error) -> Option<&Refusal> {
         error.get_ref()?.downcast_ref()
     }
 
-    fn refuse(&mut self, kind: RefusalKind) {
-        let start = self.base + self.valid as u64;
+    /// The input is refused from an offset of the decoded text on.
+    fn refuse(&mut self, start: u64, kind: RefusalKind) {
         self.pending = Some(Refusal { start, kind });
     }
 
@@ -174,13 +184,39 @@ impl<'a> Source<'a> {
             let (valid, filled) = (self.valid, self.filled);
             self.buffer.copy_within(valid..filled, 0);
             (self.place, self.valid, self.filled) = (0, 0, filled - valid);
-            match self.decoder {
-                Decoder::Utf8 => self.read_utf8()?,
-                Decoder::Latin1 | Decoder::Other(_) => self.read_other()?,
+            let mut buffer = std::mem::take(&mut self.buffer);
+            let read = match self.decoder {
+                Decoder::Utf8 => self.read_utf8(&mut buffer),
+                Decoder::Latin1 | Decoder::Other(_) => self.read_other(&mut buffer),
+            };
+            if read.is_ok() {
+                self.look_at_text(&buffer);
             }
-            self.look_at_text();
+            self.buffer = buffer;
+            read?;
         }
         Ok(())
+    }
+
+    /// Reads text to where it stays; see [`Source::refill`]. `room` has the length of a window.
+    fn refill_outside(&mut self, room: &mut [u8]) -> io::Result<usize> {
+        loop {
+            let begun = self.valid..self.filled;
+            self.base += self.valid as u64;
+            (self.place, self.valid, self.filled) = (0, 0, begun.len());
+            room[..begun.len()].copy_from_slice(&self.buffer[begun.clone()]);
+            self.buffer.copy_within(begun, 0);
+            self.read_utf8(room)?;
+            self.look_at_text(room);
+            let (valid, filled) = (self.valid, self.filled);
+            // What is left stands in the buffer as if it began there.
+            self.buffer[..filled - valid].copy_from_slice(&room[valid..filled]);
+            self.base += valid as u64;
+            (self.place, self.valid, self.filled) = (0, 0, filled - valid);
+            if valid > 0 || self.ended || self.pending.is_some() {
+                return Ok(valid);
+            }
+        }
     }
 
     /// Looks at the first bytes.
@@ -203,7 +239,7 @@ impl<'a> Source<'a> {
         }
         let first = &head[..count];
         if is_gzip && first.starts_with(&MAGIC) {
-            self.refuse(RefusalKind::NestedGzip);
+            self.refuse(0, RefusalKind::NestedGzip);
             return Ok(());
         }
         match encoding::detect(first) {
@@ -213,7 +249,7 @@ impl<'a> Source<'a> {
                 self.raw = head;
                 (self.raw_place, self.raw_filled) = (detected.mark, count);
             }
-            Err(kind) => self.refuse(kind),
+            Err(kind) => self.refuse(0, kind),
         }
         Ok(())
     }
@@ -239,27 +275,26 @@ impl<'a> Source<'a> {
     fn end(&mut self) {
         self.ended = true;
         if let Some(kind) = self.damage.take() {
-            self.refuse(kind);
+            self.refuse(self.base + self.valid as u64, kind);
         }
     }
 
-    fn read_utf8(&mut self) -> io::Result<()> {
-        let mut buffer = std::mem::take(&mut self.buffer);
+    /// Reads text behind what `buffer` holds already.
+    fn read_utf8(&mut self, buffer: &mut [u8]) -> io::Result<()> {
         let count = if self.raw_place < self.raw_filled {
             // What was looked at to recognise the encoding.
             let from = &self.raw[self.raw_place..self.raw_filled];
             let count = from.len().min(buffer.len() - self.filled);
             buffer[self.filled..self.filled + count].copy_from_slice(&from[..count]);
             self.raw_place += count;
-            Ok(count)
+            count
         } else {
             self.raw = Vec::new();
-            self.read_input(&mut buffer[self.filled..])
+            (self.raw_place, self.raw_filled) = (0, 0);
+            self.read_input(&mut buffer[self.filled..])?
         };
-        self.buffer = buffer;
-        let count = count?;
         self.filled += count;
-        let text = &self.buffer[..self.filled];
+        let text = &buffer[..self.filled];
         self.valid = self.filled;
         if simdutf8::basic::from_utf8(text).is_err()
             && let Err(error) = std::str::from_utf8(text)
@@ -267,7 +302,8 @@ impl<'a> Source<'a> {
             self.valid = error.valid_up_to();
             // The beginning of a character at the end of what was read may go on.
             if error.error_len().is_some() || (count == 0 && self.damage.is_none()) {
-                self.refuse(RefusalKind::InvalidBytes(self.decoder.name()));
+                let kind = RefusalKind::InvalidBytes(self.decoder.name());
+                self.refuse(self.base + self.valid as u64, kind);
             }
         }
         if count == 0 {
@@ -276,7 +312,7 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
-    fn read_other(&mut self) -> io::Result<()> {
+    fn read_other(&mut self, buffer: &mut [u8]) -> io::Result<()> {
         if self.raw_place == self.raw_filled {
             let mut raw = std::mem::take(&mut self.raw);
             let count = self.read_input(&mut raw);
@@ -286,11 +322,12 @@ impl<'a> Source<'a> {
         let from = &self.raw[self.raw_place..self.raw_filled];
         let last = from.is_empty();
         // Damage is told, not the half character before it.
-        let decoded = self.decoder.decode(from, &mut self.buffer, last && self.damage.is_none());
+        let decoded = self.decoder.decode(from, buffer, last && self.damage.is_none());
         self.raw_place += decoded.taken;
         (self.valid, self.filled) = (decoded.written, decoded.written);
         if decoded.invalid {
-            self.refuse(RefusalKind::InvalidBytes(self.decoder.name()));
+            let kind = RefusalKind::InvalidBytes(self.decoder.name());
+            self.refuse(self.base + self.valid as u64, kind);
         }
         if last {
             self.end();
@@ -299,21 +336,21 @@ impl<'a> Source<'a> {
     }
 
     /// Counts lines and bytes of the text that was just decoded, and notes what it has wrong.
-    fn look_at_text(&mut self) {
+    fn look_at_text(&mut self, buffer: &[u8]) {
         let more = self.valid as u64;
         let before = self.shared.decoded.fetch_add(more, Ordering::Relaxed);
         let limit = self.shared.limits.decoded_bytes;
         if before.saturating_add(more) > limit {
             // Text up to the limit is handed out, up to a whole character.
             self.valid = usize::try_from(limit.saturating_sub(before)).unwrap_or(self.valid);
-            while self.valid > 0 && self.buffer[self.valid] & 0xc0 == 0x80 {
+            while self.valid > 0 && buffer[self.valid] & 0xc0 == 0x80 {
                 self.valid -= 1;
             }
             self.filled = self.valid;
-            self.refuse(RefusalKind::DecodedBytes(limit));
+            self.refuse(self.base + self.valid as u64, RefusalKind::DecodedBytes(limit));
         }
-        let text = &self.buffer[..self.valid];
-        self.shared.places.feed(self.file, text);
+        let text = &buffer[..self.valid];
+        let may_be_illegal = self.shared.places.feed(self.file, text);
         if self.base == 0 && self.passes_over {
             self.place = prolog::look(text).junk;
             self.skipped = self.place as u64;
@@ -322,13 +359,12 @@ impl<'a> Source<'a> {
                 self.notes.push(Note { start: 0, len, kind: NoteKind::TextBeforeMarkup });
             }
         }
-        let may_be_illegal = characters::may_be_illegal(text);
         let control = match self.decoder {
             Decoder::Latin1 if !self.c1_noted => characters::find_c1(text),
             _ => None,
         };
         if may_be_illegal {
-            self.note_illegal();
+            self.note_illegal(text);
         }
         if let Some(at) = control {
             self.c1_noted = true;
@@ -338,8 +374,8 @@ impl<'a> Source<'a> {
     }
 
     #[cold]
-    fn note_illegal(&mut self) {
-        let Ok(text) = std::str::from_utf8(&self.buffer[..self.valid]) else { return };
+    fn note_illegal(&mut self, text: &[u8]) {
+        let Ok(text) = std::str::from_utf8(text) else { return };
         let illegal = text.char_indices().filter(|(_, c)| !characters::is_legal(*c));
         for (at, character) in illegal {
             if self.illegal > ILLEGAL_NOTES {
@@ -359,6 +395,22 @@ impl<'a> Source<'a> {
 
 impl Read for Source<'_> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let is_begun = matches!(self.input, Opening::Open(_));
+        let is_empty = self.place == self.valid && self.raw_place == self.raw_filled;
+        if let Some(room) = buffer.get_mut(..WINDOW)
+            && is_begun
+            && is_empty
+            && matches!(self.decoder, Decoder::Utf8)
+        {
+            self.look_at_piece()?;
+            if !self.ended && self.pending.is_none() {
+                let count = self.refill_outside(room)?;
+                self.taken = self.taken.saturating_add(count);
+                if count > 0 {
+                    return Ok(count);
+                }
+            }
+        }
         let count = self.fill_buf()?.read(buffer)?;
         self.consume(count);
         Ok(count)
@@ -368,10 +420,7 @@ impl Read for Source<'_> {
 impl BufRead for Source<'_> {
     #[inline]
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.taken > self.piece_limit {
-            let kind = RefusalKind::Piece(self.piece_limit);
-            return Err(invalid(Refusal { start: self.offset(), kind }));
-        }
+        self.look_at_piece()?;
         if self.place == self.valid {
             self.refill()?;
             if self.place == self.valid

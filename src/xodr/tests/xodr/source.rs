@@ -25,23 +25,34 @@ struct Outcome {
     refusal: Option<(u64, RefusalKind)>,
 }
 
-fn read_from(mut source: Source<'_>) -> Outcome {
-    let mut text = Vec::new();
+/// The next piece of text, with as much room as this; without any, from the buffer.
+fn next_piece(source: &mut Source<'_>, room: &mut [u8]) -> io::Result<Vec<u8>> {
+    if room.is_empty() {
+        let piece = source.fill_buf()?.to_vec();
+        source.consume(piece.len());
+        return Ok(piece);
+    }
+    let count = source.read(room)?;
+    Ok(room[..count].to_vec())
+}
+
+fn read_from(mut source: Source<'_>, room: usize) -> Outcome {
+    let (mut text, mut room) = (Vec::new(), vec![0; room]);
     let refusal = loop {
-        match source.fill_buf() {
-            Ok([]) => break None,
+        match next_piece(&mut source, &mut room) {
+            Ok(piece) if piece.is_empty() => break None,
             Ok(piece) => {
-                text.extend_from_slice(piece);
-                let count = piece.len();
-                source.consume(count);
+                assert!(room.len() == 1 || std::str::from_utf8(&piece).is_ok(), "a torn character");
+                text.extend_from_slice(&piece);
             }
             Err(error) => {
                 let refusal = Source::refusal(&error).expect("memory does not fail").clone();
-                let again = source.fill_buf().expect_err("a refusal comes again");
+                let again = next_piece(&mut source, &mut room).expect_err("a refusal comes again");
                 assert_eq!(Source::refusal(&again), Some(&refusal));
                 break Some((refusal.start, refusal.kind));
             }
         }
+        assert_eq!(source.offset(), source.skipped() + text.len() as u64);
     };
     let notes = source.take_notes().into_iter().map(|n| (n.start, n.len, n.kind)).collect();
     let text = String::from_utf8(text).expect("what is handed out is UTF-8");
@@ -50,10 +61,14 @@ fn read_from(mut source: Source<'_>) -> Outcome {
 }
 
 fn read_with(bytes: &[u8], limits: SourceLimits) -> Outcome {
-    let whole = read_from(Inputs::new(limits).open(Box::new(bytes), ""));
-    for step in [1, 2, 3, 7, 1000] {
-        let slow = read_from(Inputs::new(limits).open(Box::new(Slow(bytes, step)), ""));
-        assert_eq!(slow, whole, "in steps of {step}");
+    let whole = read_from(Inputs::new(limits).open(Box::new(bytes), ""), 0);
+    for room in [1, 1 << 16, 200_000] {
+        let read = read_from(Inputs::new(limits).open(Box::new(bytes), ""), room);
+        assert_eq!(read, whole, "with room for {room}");
+    }
+    for (step, room) in [(1, 0), (2, 1 << 16), (3, 0), (7, 1 << 16), (1000, 0), (65_535, 1 << 16)] {
+        let slow = read_from(Inputs::new(limits).open(Box::new(Slow(bytes, step)), ""), room);
+        assert_eq!(slow, whole, "in steps of {step} with room for {room}");
     }
     whole
 }
@@ -206,6 +221,42 @@ fn refusals() {
     }
 }
 
+/// What is read where it stays, which the beginning of a document is not, comes out as all else.
+#[test]
+fn faults_behind_long_text() {
+    for head in [65_533, 65_536, 131_071, 200_000] {
+        let head = format!("<a>{}", "\u{e4}\u{20ac}\u{1f6e3}x\n".repeat(head / 11));
+        let at = head.len() as u64;
+        for (tail, text, notes, refusal) in [
+            (&b"</a>"[..], "</a>", &[][..], None),
+            (b"<b>\xff</b>", "<b>", &[], Some((3, RefusalKind::InvalidBytes("UTF-8")))),
+            (b"<b>\xe4\xbd", "<b>", &[], Some((3, RefusalKind::InvalidBytes("UTF-8")))),
+            (b"<b\x01/>", "<b\x01/>", &[(2, 1, '\x01')], None),
+            ("\u{fffe}</a>".as_bytes(), "\u{fffe}</a>", &[(0, 3, '\u{fffe}')], None),
+        ] {
+            let of_note = |(start, len, character): &(u64, u32, char)| {
+                (at + start, *len, NoteKind::IllegalCharacter(*character))
+            };
+            let expected = Outcome {
+                text: format!("{head}{text}"),
+                encoding: "UTF-8",
+                notes: notes.iter().map(of_note).collect(),
+                refusal: refusal.map(|(start, kind)| (at + start, kind)),
+            };
+            assert_eq!(read(&[head.as_bytes(), tail].concat()), expected);
+        }
+        for fewer in 0..12 {
+            let decoded_bytes = at - fewer;
+            let limits = SourceLimits { decoded_bytes, ..SourceLimits::default() };
+            let read = read_with(head.as_bytes(), limits);
+            assert!(head.starts_with(&read.text), "{fewer}");
+            let kind = RefusalKind::DecodedBytes(decoded_bytes);
+            let refusal = (fewer > 0).then_some((read.text.len() as u64, kind));
+            assert_eq!(read.refusal, refusal, "{fewer}");
+        }
+    }
+}
+
 #[test]
 fn limits() {
     let limits = SourceLimits { decoded_bytes: 10, ..SourceLimits::default() };
@@ -223,7 +274,7 @@ fn limits() {
 
     let limits = SourceLimits { gzip_grace: 1 << 16, ..SourceLimits::default() };
     let bomb = gzip(&vec![b' '; 1 << 20]);
-    let bomb = read_from(Inputs::new(limits).open(Box::new(&bomb[..]), ""));
+    let bomb = read_from(Inputs::new(limits).open(Box::new(&bomb[..]), ""), 0);
     assert!(matches!(bomb.refusal, Some((_, RefusalKind::GzipRatio(256)))), "{:?}", bomb.refusal);
     assert_eq!(read(&gzip(&vec![b' '; 1 << 20])).refusal, None);
 
