@@ -5,7 +5,8 @@ use crate::draft::Draft;
 use crate::findings::TooLarge;
 use mapd_archive::{EdgeRow, NONE, Rows};
 use mapd_xodr::Span;
-use mapd_xodr::source::Places;
+use mapd_xodr::source::{NearPlaces, Places};
+use rayon::prelude::*;
 
 /// Stores edges, which come by the node that is left; gives each edge's place in the file. Those of one node are ordered by road id, section and lane of the
 /// node that is entered, so that the order of elements in the file does not show.
@@ -28,29 +29,48 @@ pub(crate) fn store(
     let nodes = rows.lane_nodes.len();
     rows.successor_offsets = offsets(nodes, edges.iter().map(|edge| edge.from)).into();
     rows.successors = edges.iter().map(|edge| edge.to).collect::<Vec<_>>().into();
+    rows.predecessor_offsets = offsets(nodes, edges.iter().map(|edge| edge.to)).into();
     let (told, backward) = rayon::join(
-        || edges.iter().map(|edge| row(edge, places)).collect::<Vec<_>>(),
         || {
-            let mut backward: Vec<_> = edges.iter().map(|edge| (edge.to, edge.from)).collect();
-            backward.sort_unstable_by_key(|(to, from)| (*to, key(*from)));
-            backward
+            let places = places.main_file();
+            edges.par_iter().map(|edge| row(edge, &places)).collect::<Vec<_>>()
         },
+        || backward(&edges, &rows.predecessor_offsets, key),
     );
     rows.edges = told.into();
-    rows.predecessor_offsets = offsets(nodes, backward.iter().map(|(to, _)| *to)).into();
+    rows.predecessors = backward.into();
     rows.graph.push(bytemuck::Zeroable::zeroed());
-    rows.predecessors = backward.iter().map(|(_, from)| *from).collect::<Vec<_>>().into();
     Ok(edges.iter().map(|edge| edge.span).collect())
 }
 
-fn row(edge: &Edge, places: &Places) -> EdgeRow {
+/// The nodes before each node, in the order of their keys.
+fn backward(edges: &[Edge], offsets: &[u32], key: impl Fn(u32) -> u32) -> Vec<u32> {
+    let mut nodes = vec![NONE; edges.len()];
+    let mut next = offsets.to_vec();
+    for edge in edges {
+        let Some(place) = next.get_mut(edge.to as usize) else { continue };
+        if let Some(node) = nodes.get_mut(*place as usize) {
+            *node = edge.from;
+        }
+        *place += 1;
+    }
+    let mut rest = nodes.as_mut_slice();
+    for (from, to) in offsets.iter().zip(offsets.iter().skip(1)) {
+        let Some((own, behind)) = rest.split_at_mut_checked((to - from) as usize) else { break };
+        own.sort_unstable_by_key(|node| key(*node));
+        rest = behind;
+    }
+    nodes
+}
+
+fn row(edge: &Edge, places: &NearPlaces) -> EdgeRow {
     let nowhere = edge.span == Span::default();
     let start = edge.span.start;
     let position = if nowhere { Default::default() } else { places.position(start) };
     EdgeRow {
         line: position.line,
         column: position.column,
-        file: places.file_at(start),
+        file: places.all.file_at(start),
         kind: edge.kind.code(),
         flags: 0,
     }

@@ -5,7 +5,7 @@
 
 use crate::draft::{Draft, Owner};
 use mapd_archive::{AnnotationKind, AnnotationOwner, AnnotationRow};
-use mapd_xodr::source::Places;
+use mapd_xodr::source::NearPlaces;
 use mapd_xodr::{Extension, ExtensionKind, Span, Written};
 
 /// Elements of one `dataQuality` that are kept value by value; the standard has three.
@@ -22,7 +22,7 @@ struct AncestorElement {
 /// A walk over a top-level element.
 struct Walk<'a> {
     draft: &'a mut Draft,
-    places: &'a Places,
+    places: &'a NearPlaces,
     /// Whether all stands in one file: then there is nothing to say of an element that is bare.
     is_one_file: bool,
     /// What the whole belongs to.
@@ -40,9 +40,9 @@ impl Draft {
         element: &dyn Written,
         owner: Owner,
         path: &str,
-        places: &Places,
+        places: &NearPlaces,
     ) {
-        let is_one_file = places.is_one_file();
+        let is_one_file = places.all.is_one_file();
         if is_one_file && element.is_bare() {
             return;
         }
@@ -52,9 +52,9 @@ impl Draft {
     }
 
     /// Takes what stands in the root.
-    pub(crate) fn annotate_root(&mut self, extensions: &[Extension], places: &Places) {
+    pub(crate) fn annotate_root(&mut self, extensions: &[Extension], places: &NearPlaces) {
         let owner = (AnnotationOwner::Document, 0);
-        let is_one_file = places.is_one_file();
+        let is_one_file = places.all.is_one_file();
         let mut walk =
             Walk { draft: self, places, is_one_file, owner, path: "", frames: Vec::new() };
         extensions.iter().for_each(|extension| walk.extension(extension));
@@ -75,7 +75,7 @@ impl Walk<'_> {
     /// An element whose parent stands in a file.
     fn element(&mut self, element: &dyn Written, file: u16) {
         let span = element.span();
-        let own_file = self.places.file_at(span.start);
+        let own_file = self.places.all.file_at(span.start);
         if own_file != file {
             // Its name is filled in when all files are known.
             self.add(AnnotationKind::SourceFile, span, AnnotatedValue::default());
@@ -170,7 +170,7 @@ impl Walk<'_> {
             text: strings.add(said.text),
             line: at.line,
             column: at.column,
-            file: self.places.file_at(span.start),
+            file: self.places.all.file_at(span.start),
             kind: kind.code(),
             owner_kind: owner_kind.code(),
         };

@@ -5,12 +5,12 @@ use crate::without::Extra;
 use mapd_archive::{
     AnnotationOwner, JunctionGroupKind, JunctionGroupMemberRow, JunctionGroupRow, NONE, Range,
 };
-use mapd_xodr::source::Places;
+use mapd_xodr::source::NearPlaces;
 use mapd_xodr::{Junction, JunctionGroup, JunctionGroupType, Text as _, Value as _};
 
 impl Draft {
     /// Appends a group. Its junctions are resolved later.
-    pub(crate) fn junction_group(&mut self, group: &JunctionGroup, places: &Places) {
+    pub(crate) fn junction_group(&mut self, group: &JunctionGroup, places: &NearPlaces) {
         if self.without.has(Extra::JunctionGroups) {
             return;
         }

@@ -272,7 +272,7 @@ fn read(
         let reader = &mut stream.reader;
         let stated = reader.stated_version().to_owned();
         let version = Version { stated, checked: reader.checked_version() };
-        draft.annotate_root(reader.extensions().as_slice(), &places);
+        draft.annotate_root(reader.extensions().as_slice(), &none_near);
         io::Result::Ok((places, version, checker, reader.take_findings()))
     })?;
     progress(Progress::Linking { roads: draft.roads() });

@@ -103,7 +103,6 @@ pub(crate) fn lower(
 ) {
     let ontology = Arc::clone(&draft.signals.ontology);
     let position = |span: Span| places.position(span.start);
-    let places = &places.all;
     draft.owners.clear();
     match item {
         Item::Header(header) => {

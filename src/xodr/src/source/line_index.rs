@@ -93,6 +93,11 @@ impl LineIndex {
         self.line_start = end;
     }
 
+    /// Bytes taken in.
+    pub(super) fn bytes(&self) -> u64 {
+        self.next
+    }
+
     /// What is known of the lines that hold a stretch of the text: its places are the same.
     pub(super) fn part(&self, stretch: Range<u64>) -> Self {
         let after = |offset: u64| self.checkpoints.partition_point(|known| known.start <= offset);

@@ -131,6 +131,12 @@ impl Places {
         NearPlaces { all: self.clone(), starts, lines: lines.unwrap_or_default() }
     }
 
+    /// The same for the main file as far as it was read, for many threads that ask for places at once.
+    pub fn main_file(&self) -> NearPlaces {
+        let length = self.lock().first().map_or(0, |file| file.lines.bytes());
+        self.near(0, usize::try_from(length).unwrap_or(usize::MAX))
+    }
+
     /// The number of the file in which what is at a start is written: that of its text, or of a patch in it.
     pub fn file_at(&self, start: u64) -> u16 {
         let number = Self::file_of(start);
