@@ -81,9 +81,10 @@ impl Checker {
         self.keep(decided);
     }
 
-    /// Takes what the rules on the network need of the next top-level elements.
-    pub fn add_network(&mut self, network: Network) {
-        self.examiner.network.append(network);
+    /// What the rules on the network need of the elements so far. Whoever puts parts of it together elsewhere takes it away, and brings it back
+    /// before the next element is shown.
+    pub fn network_mut(&mut self) -> &mut Network {
+        &mut self.examiner.network
     }
 
     /// Chooses the rules for the version that a header states.

@@ -5,6 +5,7 @@ use super::{Draft, Interned, joints};
 use crate::without::Without;
 use mapd_archive::{RowMapping, Rows};
 use mapd_ontology::Ontology;
+use std::mem::take;
 use std::sync::Arc;
 
 impl Draft {
@@ -15,8 +16,8 @@ impl Draft {
     }
 
     /// Takes the part of the document that comes next. Strings, cubics, coefficients and styles that are known already stand for its own;
-    /// each new one comes where it would if the part had been lowered here.
-    pub(crate) fn append(&mut self, part: Self) {
+    /// each new one comes where it would if the part had been lowered here. What is left of the part is of no use but takes time to free.
+    pub(crate) fn append(&mut self, part: &mut Self) {
         let mut moves = self.rows.moves();
         moves.strings = RowMapping::To(self.strings.append(&part.strings));
         let its_cubics = (&part.cubics, part.rows.cubics.as_slice());
@@ -41,12 +42,12 @@ impl Draft {
         if let Some(new) = self.rows.annotations.get_mut(annotated..) {
             move_owners(new, before, &moves);
         }
-        self.road_spans.extend(part.road_spans);
-        self.too_far.extend(part.too_far);
+        self.road_spans.append(&mut part.road_spans);
+        self.too_far.append(&mut part.too_far);
         self.connections += part.connections;
-        self.joints.extend(joints::behind(part.joints, grids));
-        self.permissions.append(part.permissions, &moves.lanes);
-        self.objects.append(part.objects, &moves);
-        self.signals.append(part.signals, &moves);
+        self.joints.extend(joints::behind(take(&mut part.joints), grids));
+        self.permissions.append(take(&mut part.permissions), &moves.lanes);
+        self.objects.append(take(&mut part.objects), &moves);
+        self.signals.append(take(&mut part.signals), &moves);
     }
 }

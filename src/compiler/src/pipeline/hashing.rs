@@ -1,10 +1,10 @@
 //! Hashing what is read while it is read.
 
-use std::collections::VecDeque;
+use super::in_order::{InOrder, lock};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 
 /// Bytes that one task of the pool hashes.
 const CHUNK: usize = 256 << 10;
@@ -15,55 +15,38 @@ const WAITING: usize = 32;
 pub(crate) struct HashingReader<R> {
     inner: R,
     hashing: Arc<Hashing>,
+    spare: Spare,
     /// What was read and is not handed over yet.
     chunk: Vec<u8>,
     is_parallel: bool,
 }
 
 /// What is being hashed.
+pub(super) type Hashing = InOrder<Hashed, Vec<u8>>;
+
+/// Of the input so far.
 #[derive(Default)]
-pub(crate) struct Hashing {
-    /// Held by whoever takes chunks from those that wait, so that they are hashed in order.
-    hasher: Mutex<blake3::Hasher>,
-    waiting: Mutex<Chunks>,
+pub(super) struct Hashed {
+    hasher: blake3::Hasher,
+    spare: Spare,
 }
 
-#[derive(Default)]
-struct Chunks {
-    full: VecDeque<Vec<u8>>,
-    /// Room of those that are hashed.
-    spare: Vec<Vec<u8>>,
-}
+/// Room of chunks that are hashed.
+type Spare = Arc<Mutex<Vec<Vec<u8>>>>;
 
-/// What a panic leaves behind is whole, chunks are moved and not changed; or nobody relies on it, for what follows is not read.
-pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-impl Hashing {
-    /// Hashes all that waits, unless another thread does.
-    pub(crate) fn help(&self) {
-        if let Ok(hasher) = self.hasher.try_lock() {
-            self.work(hasher);
-        }
-    }
-
-    /// Hashes all that waits.
-    fn work(&self, mut hasher: MutexGuard<'_, blake3::Hasher>) {
-        loop {
-            let next = lock(&self.waiting).full.pop_front();
-            let Some(mut chunk) = next else { return };
-            hasher.update(&chunk);
-            chunk.clear();
-            lock(&self.waiting).spare.push(chunk);
-        }
-    }
+fn hash(hashed: &mut Hashed, mut chunk: Vec<u8>) {
+    hashed.hasher.update(&chunk);
+    chunk.clear();
+    lock(&hashed.spare).push(chunk);
 }
 
 impl<R: Read> HashingReader<R> {
     pub(crate) fn new(inner: R) -> Self {
         let is_parallel = rayon::current_num_threads() > 1;
-        Self { inner, hashing: Arc::default(), chunk: Vec::new(), is_parallel }
+        let spare = Spare::default();
+        let hashed = Hashed { spare: Arc::clone(&spare), ..Hashed::default() };
+        let hashing = Arc::new(InOrder::new(hashed, hash));
+        Self { inner, hashing, spare, chunk: Vec::new(), is_parallel }
     }
 
     /// What waits to be hashed, for threads that have time.
@@ -86,6 +69,7 @@ impl<R: Read> HashingReader<R> {
             let mut file = HashingReader {
                 inner: File::open(path)?,
                 hashing: Arc::clone(&self.hashing),
+                spare: Arc::clone(&self.spare),
                 chunk: std::mem::take(&mut self.chunk),
                 is_parallel: self.is_parallel,
             };
@@ -94,26 +78,19 @@ impl<R: Read> HashingReader<R> {
             }
             self.chunk = file.chunk;
         }
-        self.hashing.work(lock(&self.hashing.hasher));
-        let mut hasher = lock(&self.hashing.hasher);
-        hasher.update(&self.chunk);
-        Ok(Some(*hasher.finalize().as_bytes()))
+        let mut hashed = self.hashing.settled();
+        hashed.hasher.update(&self.chunk);
+        Ok(Some(*hashed.hasher.finalize().as_bytes()))
     }
 
     /// Hands the chunk over.
     fn hand_over(&mut self) {
-        let waiting = {
-            let mut chunks = lock(&self.hashing.waiting);
-            let room = chunks.spare.pop().unwrap_or_default();
-            chunks.full.push_back(std::mem::replace(&mut self.chunk, room));
-            chunks.full.len()
-        };
-        if waiting >= WAITING {
-            self.hashing.work(lock(&self.hashing.hasher));
+        let room = lock(&self.spare).pop().unwrap_or_default();
+        if self.hashing.push(std::mem::replace(&mut self.chunk, room)) >= WAITING {
+            drop(self.hashing.settled());
             return;
         }
         let hashing = Arc::clone(&self.hashing);
-        // Who holds it takes this chunk, too, or the next one does, or the end.
         rayon::spawn_fifo(move || hashing.help());
     }
 }
@@ -134,7 +111,7 @@ impl<R: Read> Read for HashingReader<R> {
                 self.hand_over();
             }
         } else {
-            lock(&self.hashing.hasher).update(bytes);
+            self.hashing.settled().hasher.update(bytes);
         }
         Ok(count)
     }

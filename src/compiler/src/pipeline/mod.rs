@@ -1,6 +1,7 @@
 //! The single path: a document is read and lowered part by part, its ids resolved, its lanes sampled, its graph completed.
 
 mod hashing;
+mod in_order;
 mod part;
 mod rounds;
 mod stream;
@@ -13,11 +14,12 @@ use crate::report::{Collector, Compilation, Progress, Verdict, Version};
 use crate::without::Without;
 use crate::{frame, graph, index, objects, resolve, sample, signals};
 use hashing::HashingReader;
+use in_order::InOrder;
 use mapd_archive::{Provenance, Rows};
-use mapd_rules::Checker;
+use mapd_rules::{Checker, Network};
 use mapd_xodr::source::{Inputs, Places};
 use mapd_xodr::{CountedFindings, Item, Reader};
-use part::{Element, Plan};
+use part::{Element, Lowered, Plan};
 use std::collections::VecDeque;
 use std::io::{self, Read};
 use std::path::PathBuf;
@@ -208,7 +210,12 @@ fn read(
     let mut draft = Draft::new(Arc::clone(&ontology), extras);
     let mut collector = Collector::new(without, &reading.rules);
     let mut quarantined = Vec::new();
-    let to_hash = hashing.hashing();
+    let (to_hash, networks) = (hashing.hashing(), Arc::new(InOrder::new(Network::default(), add)));
+    let to_add = Arc::clone(&networks);
+    let between = Arc::new(move || {
+        to_hash.help();
+        to_add.help();
+    });
     let (places, version, mut checker, read) = rayon::in_place_scope_fifo(|scope| {
         let mut inputs = Inputs::new(reading.limits.source);
         if let Some(folder) = &reading.include_folder {
@@ -219,12 +226,20 @@ fn read(
             Some(patch) => inputs.open_patched(Box::new(&mut hashing), "", patch),
         };
         let reader = Reader::with_source(inputs, source, reading.limits);
-        let mut stream = Stream::new(reader, reading.batch_bytes, scope, to_hash);
+        let mut stream = Stream::new(reader, reading.batch_bytes, scope, between);
         let places = stream.reader.places().clone();
         let none_near = places.near(0, 0);
         let mut checker = Checker::new(&reading.rules);
         // What was lowered on other threads, and the roads before it.
         let (mut elements, mut before) = (VecDeque::new(), 0);
+        // Whether the network is put together beside this.
+        let mut is_apart = false;
+        let mut set_apart = |checker: &mut Checker, apart: bool| {
+            if is_apart != apart {
+                std::mem::swap(checker.network_mut(), &mut networks.settled());
+                is_apart = apart;
+            }
+        };
         loop {
             // What is left out is so before anything looks at it.
             let plan =
@@ -234,12 +249,13 @@ fn read(
             let mut checked = Vec::new();
             let mut roads = None;
             match next {
-                Next::Part(part) => {
+                Next::Part(mut part) => {
                     before = draft.roads();
-                    checker.add_network(part.network);
-                    collector.append_units(part.units);
-                    draft.append(part.draft);
-                    elements = part.elements;
+                    collector.append_units(std::mem::take(&mut part.units));
+                    draft.append(&mut part.draft);
+                    elements = std::mem::take(&mut part.elements);
+                    set_apart(&mut checker, true);
+                    networks.push(part);
                     collector.add_read(read, &counted, checked, &places, without);
                     continue;
                 }
@@ -251,6 +267,7 @@ fn read(
                     roads = Some(before + element.roads);
                 }
                 Next::Item(item) => {
+                    set_apart(&mut checker, false);
                     collector.add_units(&item);
                     if let Some(mut item) = without.filter(item, &mut quarantined) {
                         let line = match &item {
@@ -269,6 +286,7 @@ fn read(
             let (bytes, roads) = (stream.reader.bytes_read(), roads.unwrap_or(draft.roads()));
             progress(Progress::Reading { bytes, roads });
         }
+        set_apart(&mut checker, false);
         let reader = &mut stream.reader;
         let stated = reader.stated_version().to_owned();
         let version = Version { stated, checked: reader.checked_version() };
@@ -330,6 +348,11 @@ fn read(
         Provenance { input_hash, options_hash: [0; 8], compiler_version: compiler_version() };
     resolve::quarantined(&mut draft, &quarantined);
     Ok(Document { draft, graph, signals, collector, places, provenance, version, quarantined })
+}
+
+/// Puts what the rules on the network need of a batch behind what they need of those before, and frees what is left of the batch.
+fn add(network: &mut Network, part: Box<Lowered>) {
+    network.append(part.network);
 }
 
 /// The files that the document included, in the order in which it did.

@@ -4,7 +4,7 @@
 //! that of the caller, takes what was made of them in order. Items and findings are the same, in the same order, as those of a reader
 //! without any of this.
 
-use super::hashing::{Hashing, lock};
+use super::in_order::lock;
 use super::part::{Lowered, Plan};
 use mapd_xodr::{Context, Cutter, Delivered, Item, ReadBatch, Reader, RestOfDocument};
 use rayon::ScopeFifo;
@@ -44,8 +44,11 @@ pub(crate) struct Stream<'a, 's> {
     batch_bytes: Option<usize>,
     /// Where the text is cut.
     scope: &'s ScopeFifo<'a>,
-    hashing: Arc<Hashing>,
+    between: Between,
 }
+
+/// What threads do between two batches.
+pub(super) type Between = Arc<dyn Fn() + Send + Sync>;
 
 /// A batch that is being read; none behind the last.
 type Reading = Receiver<Option<FinishedBatch>>;
@@ -65,7 +68,7 @@ struct Shared<'a> {
     /// None when the document is read on without batches.
     cutter: Mutex<Option<Cutter<'a>>>,
     orders: Mutex<Orders>,
-    hashing: Arc<Hashing>,
+    between: Between,
 }
 
 /// What there is to cut.
@@ -80,15 +83,15 @@ struct Orders {
 }
 
 impl<'a, 's> Stream<'a, 's> {
-    /// With one thread in the pool, nothing is read ahead. The text is cut within `scope`, and hashed between two batches.
+    /// With one thread in the pool, nothing is read ahead. The text is cut within `scope`; threads do what is to be done `between` two batches.
     pub(crate) fn new(
         reader: Reader<'a>,
         batch_bytes: Option<usize>,
         scope: &'s ScopeFifo<'a>,
-        hashing: Arc<Hashing>,
+        between: Between,
     ) -> Self {
         let is_parallel = rayon::current_num_threads() > 1;
-        Self { reader, ahead: None, is_parallel, batch_bytes, scope, hashing }
+        Self { reader, ahead: None, is_parallel, batch_bytes, scope, between }
     }
 
     /// As [`Reader::next`]; batches are lowered as `plan` says, if it does.
@@ -104,8 +107,8 @@ impl<'a, 's> Stream<'a, 's> {
                 // The version is settled now; what comes is roads.
                 if self.is_parallel && matches!(item, Some(Item::Header(_))) {
                     let bytes = self.batch_bytes;
-                    let hashing = Arc::clone(&self.hashing);
-                    self.ahead = self.reader.split().map(|rest| Ahead::new(rest, bytes, hashing));
+                    let between = Arc::clone(&self.between);
+                    self.ahead = self.reader.split().map(|rest| Ahead::new(rest, bytes, between));
                 }
                 return Ok(item.map(Next::Item));
             };
@@ -143,13 +146,13 @@ impl<'a> Ahead<'a> {
     fn new(
         RestOfDocument { context, cutter }: RestOfDocument<'a>,
         batch_bytes: Option<usize>,
-        hashing: Arc<Hashing>,
+        between: Between,
     ) -> Self {
         let cutter = match batch_bytes {
             Some(bytes) => cutter.with_batch_bytes(bytes),
             None => cutter,
         };
-        let shared = Shared { cutter: Mutex::new(Some(cutter)), orders: Mutex::default(), hashing };
+        let shared = Shared { cutter: Mutex::new(Some(cutter)), orders: Mutex::default(), between };
         Self { context, shared: Arc::new(shared), cut: channel(), ordered: 0 }
     }
 
@@ -210,8 +213,8 @@ fn read_one<'a>(shared: Arc<Shared<'a>>, cut: Sender<Reading>, scope: &ScopeFifo
         None => FinishedBatch { read: context.read(batch), lowered: None },
     });
     let _ = done.send(finished);
-    // Else it is left to whoever cuts, while all others wait.
-    shared.hashing.help();
+    // Else it is left to those for whom all others wait.
+    (shared.between)();
     scope.spawn_fifo(move |scope| read_one(shared, cut, scope));
 }
 

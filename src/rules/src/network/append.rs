@@ -26,7 +26,7 @@ fn rename(road: &mut RoadFacts, names: &[Name]) {
 
 impl Network {
     /// Takes what was kept of the elements that come next. Neither part is finished.
-    pub(crate) fn append(&mut self, next: Self) {
+    pub fn append(&mut self, next: Self) {
         let [roads, sections, lanes, lane_links, lines, profiles, connected] = [
             self.roads.len(),
             self.sections.len(),
