@@ -54,9 +54,14 @@ pub(crate) fn prepare(
         let (mut writing, syncing) = early_sync::begin(draft.file(), scope);
         let header = fill(draft.file(), &mut writing, rows.borrow(), provenance)?;
         drop(writing);
-        // If they are this function's, they go before the archive is mapped: it is as large as they are.
-        drop(rows);
-        prove(draft.path())?;
+        let mut proven = Ok(());
+        rayon::in_place_scope(|scope| {
+            scope.spawn(|_| proven = prove(draft.path()));
+            // If they are this function's, they go while the archive is proven: it is as large as they are, but mapped more slowly than
+            // they are freed.
+            drop(rows);
+        });
+        proven?;
         syncing.finish()?;
         Ok(header)
     });

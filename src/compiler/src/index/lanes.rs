@@ -1,7 +1,7 @@
 //! Builds the packed spatial index over the lanes' centre lines.
 
 use super::lane_lines::{Around, Border, Line, Point, lines_of};
-use super::packed::{Key, ROUNDING, ordered, round_up, stack};
+use super::packed::{Key, ROUNDING, joined, ordered, round_up, stack};
 use crate::findings::TooLarge;
 use crate::options::CompileOptions;
 use crate::sample::view;
@@ -72,7 +72,7 @@ pub(crate) fn build(rows: &mut Rows, options: &CompileOptions) -> Result<(), Too
         add_places(map, lane, &mut keys);
         keys
     });
-    let keys = keys.collect::<Vec<_>>().concat();
+    let keys = joined(keys.collect());
     if keys.is_empty() {
         return Ok(());
     }

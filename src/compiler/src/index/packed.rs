@@ -41,7 +41,7 @@ pub(crate) fn pack(entries: Vec<Entry>) -> Packed {
 }
 
 /// An entry while entries are ordered.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, bytemuck::Zeroable)]
 pub(crate) struct Key {
     /// Twice the middle, as numbers that compare as the coordinates do.
     middle: [i64; 2],
@@ -70,6 +70,19 @@ fn comparable(value: f64) -> i64 {
 /// The coordinate of such a number.
 fn coordinate(comparable: i64) -> f64 {
     f64::from_bits((comparable ^ ((comparable >> 63) & i64::MAX)) as u64)
+}
+
+/// The keys of all parts in their order. What the parts need is freed, and memory for all is first touched, by all threads.
+pub(crate) fn joined(parts: Vec<Vec<Key>>) -> Vec<Key> {
+    let mut all = bytemuck::zeroed_vec(parts.iter().map(Vec::len).sum());
+    let mut rest = all.as_mut_slice();
+    let places = parts.into_iter().map(|part| {
+        let place = rest.split_off_mut(..part.len()).unwrap_or_default();
+        (place, part)
+    });
+    let places: Vec<_> = places.collect();
+    places.into_par_iter().for_each(|(place, part)| place.copy_from_slice(&part));
+    all
 }
 
 /// Entries so ordered that consecutive sixteens lie close together, and sixteens of sixteens as well. No two are equal.
@@ -111,10 +124,14 @@ fn order(keys: &mut [Key]) {
 }
 
 /// Nodes over boxes, root first, and the first node of each level with the number of nodes behind the last.
-pub(crate) fn stack<B, R>(mut below: Vec<B>, node: fn(&[B]) -> (R, B)) -> (Vec<u32>, Vec<R>) {
+pub(crate) fn stack<B: Send + Sync, R: Send>(
+    mut below: Vec<B>,
+    node: fn(&[B]) -> (R, B),
+) -> (Vec<u32>, Vec<R>) {
     let mut levels = Vec::new();
     loop {
-        let (nodes, boxes): (Vec<_>, Vec<_>) = below.chunks(WIDTH).map(node).unzip();
+        let groups = below.par_chunks(WIDTH).with_min_len(TOGETHER / WIDTH);
+        let (nodes, boxes): (Vec<_>, Vec<_>) = groups.map(node).unzip();
         let is_root = nodes.len() <= 1;
         levels.push(nodes);
         below = boxes;

@@ -73,31 +73,35 @@ pub(crate) fn sample(
     options: &CompileOptions,
     allowance: &Allowance,
 ) -> Result<Vec<u32>, TooLarge> {
-    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let mut unfit = Vec::new();
-    // Equal sections have equal stations: each sequence is written once.
-    let mut known = KnownStations::default();
+    let mut tables = PointTables::default();
     let numbers: Vec<u32> = (0..rows.sections.len() as u32).collect();
-    for numbers in numbers.chunks(SECTIONS_AT_ONCE) {
-        let lines: Vec<Lines> = {
-            let archive = view(rows);
-            let map = Map::new(&archive, 0);
-            let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
-            let lines = |room: &mut Room, sections| lines(map, sections, options, allowance, room);
-            chunks.map_init(Room::new, lines).collect()
-        };
+    let mut before = (&[][..], Vec::new());
+    // While the points of some are appended the next ones are sampled.
+    for numbers in numbers.chunks(SECTIONS_AT_ONCE).chain([&[][..]]) {
+        let seen = &*rows;
+        let (sampled, places) = rayon::join(
+            || {
+                let archive = view(seen);
+                let map = Map::new(&archive, 0);
+                let chunks = numbers.par_chunks(SECTIONS_PER_TASK);
+                let lines =
+                    |room: &mut Room, sections| lines(map, sections, options, allowance, room);
+                chunks.map_init(Room::new, lines).collect::<Vec<_>>()
+            },
+            || before.1.iter().map(|lines| tables.append(lines)).collect::<Result<Vec<_>, _>>(),
+        );
         if allowance.is_exceeded() {
             return Ok(Vec::new());
         }
-        let mut numbers = numbers.iter();
-        for lines in lines {
-            low = low.min(lines.bounds[0]);
-            high = high.max(lines.bounds[1]);
-            let numbers = numbers.by_ref().take(lines.frames.len());
-            store(rows, numbers, &lines, &mut known)?;
-            unfit.extend(lines.unfit);
+        let (mut numbers_before, lines) = std::mem::replace(&mut before, (numbers, sampled));
+        for (lines, places) in lines.iter().zip(places?) {
+            let (own, behind) = numbers_before.split_at(lines.frames.len());
+            numbers_before = behind;
+            place(rows, own, lines, places)?;
         }
     }
+    let PointTables { points, stations, bounds: [low, high], unfit, .. } = tables;
+    (rows.points, rows.point_stations) = (points.into(), stations.into());
     if let Some(map) = rows.map.first_mut().filter(|_| low.is_finite() && high.is_finite()) {
         (map.min_x, map.min_y, map.min_z) = (low.x + map.origin_x, low.y + map.origin_y, low.z);
         (map.max_x, map.max_y, map.max_z) = (high.x + map.origin_x, high.y + map.origin_y, high.z);
@@ -105,34 +109,75 @@ pub(crate) fn sample(
     Ok(unfit)
 }
 
-/// Appends the points of sections of these numbers, and says where they lie. `known` has where sequences of stations do.
-fn store<'a>(
+/// What is sampled of all sections.
+struct PointTables {
+    points: Vec<u8>,
+    stations: Vec<f32>,
+    /// Equal sections have equal stations: each sequence is written once.
+    known: KnownStations,
+    bounds: [DVec3; 2],
+    unfit: Vec<u32>,
+}
+
+impl Default for PointTables {
+    fn default() -> Self {
+        let bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+        let known = KnownStations::default();
+        Self { points: Vec::new(), stations: Vec::new(), known, bounds, unfit: Vec::new() }
+    }
+}
+
+/// Where the lines of some sections lie.
+struct StoredAt {
+    /// First byte of their points.
+    byte: usize,
+    /// First station of each section.
+    stations: Vec<u32>,
+}
+
+impl PointTables {
+    /// Appends the points of some sections.
+    fn append(&mut self, lines: &Lines) -> Result<StoredAt, TooLarge> {
+        let [low, high] = self.bounds;
+        self.bounds = [low.min(lines.bounds[0]), high.max(lines.bounds[1])];
+        self.unfit.extend_from_slice(&lines.unfit);
+        let byte = self.points.len();
+        self.points.extend_from_slice(&lines.bytes);
+        let mut places = StoredAt { byte, stations: Vec::with_capacity(lines.frames.len()) };
+        let mut stations = lines.stations.as_slice();
+        for frame in &lines.frames {
+            let (own, others) = stations.split_at(frame.stations);
+            let first = u32::try_from(self.stations.len());
+            let first = first.map_err(|_| TooLarge::new("point_stations"))?;
+            let key: &[u8] = bytemuck::cast_slice(own);
+            places.stations.push(match self.known.get(key) {
+                Some(first) => *first,
+                None => {
+                    self.stations.extend_from_slice(own);
+                    self.known.insert(key.to_vec(), first);
+                    first
+                }
+            });
+            stations = others;
+        }
+        Ok(places)
+    }
+}
+
+/// Says where the points of sections of these numbers lie.
+fn place(
     rows: &mut Rows,
-    numbers: impl Iterator<Item = &'a u32>,
+    numbers: &[u32],
     lines: &Lines,
-    known: &mut KnownStations,
+    places: StoredAt,
 ) -> Result<(), TooLarge> {
-    let mut stations = lines.stations.as_slice();
-    for (number, frame) in numbers.zip(&lines.frames) {
+    for ((number, frame), station) in numbers.iter().zip(&lines.frames).zip(places.stations) {
         let row: &mut SectionRow = &mut rows.sections[*number as usize];
         [row.x, row.y, row.z] = frame.origin;
         row.set_point_code(frame.code);
-        let (own, others) = stations.split_at(frame.stations);
-        let first = u32::try_from(rows.point_stations.len());
-        let first = first.map_err(|_| TooLarge::new("point_stations"))?;
-        let key: &[u8] = bytemuck::cast_slice(own);
-        row.first_station = match known.get(key) {
-            Some(first) => *first,
-            None => {
-                rows.point_stations.extend_from_slice(own);
-                known.insert(key.to_vec(), first);
-                first
-            }
-        };
-        stations = others;
+        row.first_station = station;
     }
-    let mut first = rows.points.len();
-    rows.points.extend_from_slice(&lines.bytes);
+    let mut first = places.byte;
     for line in &lines.lanes {
         let Ok(first_byte) = u32::try_from(first) else {
             return Err(TooLarge::at_lane("points", rows, line.lane));
