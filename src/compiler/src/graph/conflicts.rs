@@ -95,10 +95,10 @@ pub(crate) fn find(rows: &Rows, zones: &[Zone]) -> (Vec<ConflictRow>, Vec<Findin
                 "",
             ));
         }
-        of_zones.into_iter().flatten().flatten().collect()
+        of_zones.into_iter().flatten().collect::<Vec<_>>().concat()
     };
-    // Of a pair that meets in two zones the first place counts.
-    found.sort_by_key(|row| (row.lane, row.other, row.from, row.kind));
+    // Of a pair that meets in two zones the first place counts. Those of each zone are in this order already.
+    found.sort_by_key(in_table);
     found.dedup_by_key(|row| (row.lane, row.other));
     (found, passed_over)
 }
@@ -144,7 +144,13 @@ fn of_zone(rows: &Rows, map: Map<'_>, zone: &Zone, room: &mut Room) -> Option<Ve
             }
         }
     }
+    out.sort_by_key(in_table);
     Some(out)
+}
+
+/// What conflicts are ordered by.
+fn in_table(row: &ConflictRow) -> (u32, u32, u16, u8) {
+    (row.lane, row.other, row.from, row.kind)
 }
 
 /// Both ends of an interval in steps of its section, rounded outwards.
