@@ -154,7 +154,7 @@ pub struct ReadOptions {
     pub policy: Policy,
     /// What signals and objects mean.
     pub ontology: mapd_ontology::Ontology,
-    /// Bytes of text that a thread reads, checks and lowers at once, at least; none: 256 KiB. It does not show in the archive.
+    /// Bytes of text that a thread reads, checks and lowers at once, at least; none: 256 KiB in the first 8 MiB, then 512 KiB. It does not show in the archive.
     pub batch_bytes: Option<usize>,
     /// Roads and junctions that take the place of the document's; none: it is read as it is.
     pub patch: Option<Arc<Patch>>,

@@ -17,9 +17,13 @@ use crate::window::{Stop, Unread, Window};
 use std::io::Read as _;
 use std::sync::Arc;
 
-/// Bytes of text that a batch has at least. The longest part of a batch's cost that does not grow with it is taking it from
-/// one thread to another, some microseconds; a batch of this size takes a millisecond.
-const BATCH_BYTES: usize = 256 << 10;
+/// Bytes of text that a batch has at least. The longest part of a batch's cost that does not grow with it is waking the thread that takes
+/// what it was read to, some microseconds; a batch of this size takes two milliseconds.
+const BATCH_BYTES: usize = 512 << 10;
+/// The same at the beginning of a document: a small one is to be shared among several threads, too.
+const EARLY_BATCH_BYTES: usize = 256 << 10;
+/// Bytes of text that are its beginning.
+const EARLY_BYTES: u64 = 8 << 20;
 /// Bytes of text in which no end of a road or junction is found: such a document is read on as one.
 const CUTLESS_BYTES: usize = 8 << 20;
 /// Rooms that are larger than so many of the smallest batches are not kept for others.
@@ -67,7 +71,8 @@ pub struct Cutter<'a> {
     /// Why there is no more text.
     pub(crate) stop: Option<Stop>,
     ends: [Vec<u8>; 2],
-    least: usize,
+    /// Bytes of text that a batch has at least, if they are not those of this module.
+    fixed: Option<usize>,
     /// Room of batches that are done with.
     spare: Vec<Vec<u8>>,
 }
@@ -84,22 +89,28 @@ impl<'a> Cutter<'a> {
             searched: 0,
             stop: None,
             ends,
-            least: BATCH_BYTES,
+            fixed: None,
             spare: Vec::new(),
         }
     }
 
-    /// Sets the bytes of text that a batch has at least, instead of 256 KiB.
+    /// Sets the bytes of text that a batch has at least, instead of 256 KiB, then 512 KiB.
     pub fn with_batch_bytes(mut self, least: usize) -> Self {
-        self.least = least;
+        self.fixed = Some(least);
         self
+    }
+
+    /// Bytes of text that the next batch has at least.
+    fn least(&self) -> usize {
+        let is_early = Places::offset_of(self.start) < EARLY_BYTES;
+        self.fixed.unwrap_or(if is_early { EARLY_BATCH_BYTES } else { BATCH_BYTES })
     }
 
     /// The next batch; none where the rest of the document has to be read as one, which is so at its end at the latest.
     #[expect(clippy::should_implement_trait, reason = "where it ends, there is more to read")]
     pub fn next(&mut self) -> Option<Batch> {
         loop {
-            if self.filled >= self.least {
+            if self.filled >= self.least() {
                 if let Some(end) = self.end() {
                     let rest = self.room.get(end..self.filled).unwrap_or_default();
                     let mut room = self.spare.pop().unwrap_or_default();
@@ -132,7 +143,7 @@ impl<'a> Cutter<'a> {
 
     /// Takes the room of a batch that is done with, for those to come. It keeps its length: nothing has to be cleared before it is read into.
     pub fn give_back(&mut self, room: Vec<u8>) {
-        if room.capacity() <= ROOM_BATCHES * self.least {
+        if room.capacity() <= ROOM_BATCHES * self.fixed.unwrap_or(BATCH_BYTES) {
             self.spare.push(room);
         }
     }
@@ -141,7 +152,7 @@ impl<'a> Cutter<'a> {
     fn end(&mut self) -> Option<usize> {
         // A tag may have been read in part.
         let longest = self.ends.iter().map(Vec::len).max().unwrap_or_default();
-        let from = self.searched.max(self.least.saturating_sub(longest));
+        let from = self.searched.max(self.least().saturating_sub(longest));
         let rest = self.text().get(from..).unwrap_or_default();
         let ends = self.ends.iter();
         let ends = ends.filter_map(|tag| Some(memchr::memmem::find(rest, tag)? + tag.len()));
