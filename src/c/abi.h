@@ -1421,6 +1421,9 @@ mapd_code mapd_client_pending(const struct mapd_client *client_handle,
 mapd_code mapd_client_served_by(const struct mapd_client *client_handle,
                                 uint32_t *pid,
                                 struct mapd_error *error);
+mapd_code mapd_client_heartbeat_age(const struct mapd_client *client_handle,
+                                    double *age_s,
+                                    struct mapd_error *error);
 mapd_code mapd_client_set_populate(const struct mapd_client *client_handle,
                                    uint8_t populate,
                                    struct mapd_error *error);

@@ -4489,6 +4489,15 @@ mapd_code mapd_client_served_by(const struct mapd_client *client_handle,
                                 struct mapd_error *error);
 
 /*
+ Time since the daemon's last heartbeat [s]. A daemon that serves the map writes one about once a second. If the age exceeds a few seconds, the daemon
+ was killed, is stopped or gets no processor time, and the snapshot may be out of date. The clock is the monotonic one, which stops while the
+ machine sleeps. `MAPD_CODE_NONE` if the map is no longer served.
+ */
+mapd_code mapd_client_heartbeat_age(const struct mapd_client *client_handle,
+                                    double *age_s,
+                                    struct mapd_error *error);
+
+/*
  Sets whether all pages of a generation are mapped before it is returned, starting with the current one, so that no query waits
  for the kernel: as `mapd_snapshot_populate`. 0: no, the default.
  */

@@ -397,6 +397,10 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   Result<std::optional<std::uint32_t>> try_served_by() const {
     return detail::optional<std::uint32_t>([&](auto... out) { return mapd_client_served_by(get(), out...); });
   }
+  /// Time since the heartbeat of the daemon that serves the map [s], of which there is about one a second; none if it is no longer served.
+  Result<std::optional<double>> try_heartbeat_age() const {
+    return detail::optional<double>([&](auto... out) { return mapd_client_heartbeat_age(get(), out...); });
+  }
   /// Whether generations are mapped page by page before they are handed out, so that no query waits for the kernel.
   Error try_set_populate(bool populate) const {
     mapd_error error;
@@ -419,6 +423,7 @@ class Client : public detail::Owner<mapd_client, mapd_client_close> {
   std::uint64_t generation() const { return try_generation().value(); }
   std::optional<Generation> pending() const { return try_pending().value(); }
   std::optional<std::uint32_t> served_by() const { return try_served_by().value(); }
+  std::optional<double> heartbeat_age() const { return try_heartbeat_age().value(); }
   void set_populate(bool populate) const { detail::must(try_set_populate(populate)); }
   Events events() const { return try_events().value(); }
 #endif

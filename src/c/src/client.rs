@@ -177,6 +177,22 @@ pub unsafe extern "C" fn mapd_client_served_by(
     unsafe { answer(error, || put_some(pid, client(client_handle)?.served_by())) }
 }
 
+/// Time since the daemon's last heartbeat \[s\]. A daemon that serves the map writes one about once a second. If the age exceeds a few seconds, the daemon
+/// was killed, is stopped or gets no processor time, and the snapshot may be out of date. The clock is the monotonic one, which stops while the
+/// machine sleeps. `MAPD_CODE_NONE` if the map is no longer served.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_client_heartbeat_age(
+    client_handle: *const mapd_client,
+    age_s: *mut f64,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            put_some(age_s, client(client_handle)?.heartbeat_age().map(|age| age.as_secs_f64()))
+        })
+    }
+}
+
 /// Sets whether all pages of a generation are mapped before it is returned, starting with the current one, so that no query waits
 /// for the kernel: as `mapd_snapshot_populate`. 0: no, the default.
 #[unsafe(no_mangle)]

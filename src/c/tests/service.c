@@ -203,10 +203,12 @@ static void what_is_held_outlives_the_daemon(pid_t daemon) {
   mapd_events *events = NULL;
   mapd_event event;
   uint32_t pid;
+  double age = -1.0;
   CHECK(mapd_client_connect(name, NULL, PATIENCE, &client, &error) == MAPD_CODE_OK);
   CHECK(mapd_client_snapshot(client, &map, &error) == MAPD_CODE_OK);
   CHECK(mapd_events_new(client, &events, &error) == MAPD_CODE_OK);
   CHECK(mapd_client_served_by(client, &pid, &error) == MAPD_CODE_OK && pid == (uint32_t)daemon);
+  CHECK(mapd_client_heartbeat_age(client, &age, &error) == MAPD_CODE_OK && age >= 0.0 && age < PATIENCE);
   CHECK(kill(daemon, SIGKILL) == 0);
   CHECK(mapd_events_next(events, PATIENCE, &event, &error) == MAPD_CODE_OK && event.kind == MAPD_EVENT_DAEMON_GONE);
   CHECK(mapd_client_served_by(client, &pid, &error) == MAPD_CODE_NONE);

@@ -127,6 +127,8 @@ void the_end_is_seen(const std::string& name, pid_t daemon) {
     auto events = client.events();
     held = client.snapshot();
     CHECK(client.served_by() == static_cast<std::uint32_t>(daemon));
+    const auto age = client.heartbeat_age();
+    CHECK(age && *age >= 0.0 && *age < patience);
     CHECK(::kill(daemon, SIGKILL) == 0);
     const auto event = events.next(patience);
     CHECK(event && event->kind == MAPD_EVENT_DAEMON_GONE);

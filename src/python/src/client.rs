@@ -223,6 +223,12 @@ impl Client {
         Ok(self.connection()?.client().served_by())
     }
 
+    /// Time since the daemon's last heartbeat [s]; None if the map is no longer served.
+    #[getter]
+    fn heartbeat_age(&self) -> PyResult<Option<f64>> {
+        Ok(self.connection()?.client().heartbeat_age().map(|age| age.as_secs_f64()))
+    }
+
     /// Maps every page of this and later generations before they are returned.
     fn populate(&self, py: Python<'_>) -> PyResult<()> {
         let connection = self.connection()?;

@@ -43,6 +43,8 @@ def own_memory() -> int:
 def test_attach_and_ask(daemon: Daemon, town: mapd.Map) -> None:
     with daemon.client() as client:
         assert client.name == "town" and client.served_by == daemon.process.pid and client.pending is None
+        age = client.heartbeat_age
+        assert age is not None and 0 <= age < PATIENCE
         map = client.map()
         assert map.generation >= 1 and map.content_hash == town.content_hash
         assert np.array_equal(map.nearest_lane(POINTS).lane, town.nearest_lane(POINTS).lane)
@@ -51,7 +53,7 @@ def test_attach_and_ask(daemon: Daemon, town: mapd.Map) -> None:
         client.populate()
         assert repr(client) == f'<mapd.Client "town" generation {map.generation}>'
     assert client.closed and repr(client) == '<mapd.Client "town" closed>'
-    for call in (client.map, client.refresh, client.wait, client.events, lambda: client.pending, lambda: client.served_by):
+    for call in (client.map, client.refresh, client.wait, client.events, lambda: client.pending, lambda: client.served_by, lambda: client.heartbeat_age):
         with pytest.raises(mapd.ClosedError):
             call()
     client.close()

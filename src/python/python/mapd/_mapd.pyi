@@ -218,6 +218,9 @@ class Client:
     @property
     def served_by(self) -> int | None:
         """Process id of the daemon that serves the map now; None if none does."""
+    @property
+    def heartbeat_age(self) -> float | None:
+        """Time since the daemon's last heartbeat [s], of which it writes one about once a second; None if the map is no longer served."""
     def populate(self) -> None:
         """Maps every page of this and later generations before they are returned."""
     def events(self) -> Events:
