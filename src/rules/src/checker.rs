@@ -131,8 +131,7 @@ impl Checker {
         Whole { rules: Arc::clone(&self.examiner.rules), network }
     }
 
-    /// Takes what all checks of the document as a whole found, in their order; yields the network for who builds from its links:
-    /// ids, roads, lanes and junctions, without cross-sections, parts and references.
+    /// Takes what all checks of the document as a whole found, in their order; yields the network for who builds from its links.
     pub fn end(&mut self, whole: Whole, examined: impl IntoIterator<Item = Examined>) -> Network {
         let Whole { rules, network } = whole;
         self.keep(Examined(examined.into_iter().flat_map(|examined| examined.0).collect()));
@@ -152,7 +151,7 @@ impl Checker {
                 });
             }
         }
-        network.into_links()
+        network
     }
 
     /// Takes the findings since the last call.

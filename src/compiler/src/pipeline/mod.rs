@@ -314,7 +314,8 @@ fn read(
     if whole.has_more_overlaps() {
         late.push(too_many_overlaps());
     }
-    let network = checker.end(whole, examined);
+    let (network, rest) = checker.end(whole, examined).into_links();
+    free(rest);
     collector.add_read(
         read,
         &CountedFindings::default(),
@@ -347,12 +348,20 @@ fn read(
     let provenance =
         Provenance { input_hash, options_hash: [0; 8], compiler_version: compiler_version() };
     resolve::quarantined(&mut draft, &quarantined);
+    free(network);
     Ok(Document { draft, graph, signals, collector, places, provenance, version, quarantined })
 }
 
 /// Puts what the rules on the network need of a batch behind what they need of those before, and frees what is left of the batch.
 fn add(network: &mut Network, part: Box<Lowered>) {
     network.append(part.network);
+}
+
+/// Frees what is no longer needed, beside what comes next if there are several threads.
+fn free(done: impl Send + 'static) {
+    if rayon::current_num_threads() > 1 {
+        rayon::spawn(move || drop(done));
+    }
 }
 
 /// The files that the document included, in the order in which it did.

@@ -36,6 +36,7 @@ pub(crate) use collect::contact;
 
 use mapd_xodr::Span;
 use names::IdTable;
+use std::mem::take;
 
 /// No row.
 const NONE: u32 = u32::MAX;
@@ -205,11 +206,18 @@ impl Network {
         self.section_written(road, after.saturating_sub(1), lane)
     }
 
-    /// The links alone, for who builds from them: what only rules look at is forgotten.
-    pub(crate) fn into_links(self) -> Self {
-        let (parts, references, overlaps) = (Vec::new(), Vec::new(), std::sync::OnceLock::new());
-        let (lines, profiles, leading_in) = (Vec::new(), Vec::new(), Vec::new());
-        Self { parts, references, overlaps, lines, profiles, leading_in, ..self }
+    /// The links for who builds from them: ids, roads, lanes and junctions; and what only rules look at, which takes time to free.
+    pub fn into_links(mut self) -> (Self, Self) {
+        let rules = Self {
+            parts: take(&mut self.parts),
+            references: take(&mut self.references),
+            overlaps: take(&mut self.overlaps),
+            lines: take(&mut self.lines),
+            profiles: take(&mut self.profiles),
+            leading_in: take(&mut self.leading_in),
+            ..Self::default()
+        };
+        (self, rules)
     }
 
     /// Completes what needs the whole document.
