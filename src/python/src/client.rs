@@ -223,7 +223,7 @@ impl Client {
         Ok(self.connection()?.client().served_by())
     }
 
-    /// Time since the daemon's last heartbeat [s]; None if the map is no longer served.
+    /// Time since the daemon's last heartbeat [s], of which it writes one about once a second; None if the map is no longer served.
     #[getter]
     fn heartbeat_age(&self) -> PyResult<Option<f64>> {
         Ok(self.connection()?.client().heartbeat_age().map(|age| age.as_secs_f64()))
