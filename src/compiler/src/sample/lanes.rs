@@ -79,7 +79,7 @@ pub(crate) fn sample(
     // While the points of some are appended the next ones are sampled.
     for numbers in numbers.chunks(SECTIONS_AT_ONCE).chain([&[][..]]) {
         let seen = &*rows;
-        let (sampled, places) = rayon::join(
+        let (sampled, stored) = rayon::join(
             || {
                 let archive = view(seen);
                 let map = Map::new(&archive, 0);
@@ -94,10 +94,10 @@ pub(crate) fn sample(
             return Ok(Vec::new());
         }
         let (mut numbers_before, lines) = std::mem::replace(&mut before, (numbers, sampled));
-        for (lines, places) in lines.iter().zip(places?) {
+        for (lines, stored) in lines.iter().zip(stored?) {
             let (own, behind) = numbers_before.split_at(lines.frames.len());
             numbers_before = behind;
-            place(rows, own, lines, places)?;
+            place(rows, own, lines, stored)?;
         }
     }
     let PointTables { points, stations, bounds: [low, high], unfit, .. } = tables;
@@ -143,14 +143,14 @@ impl PointTables {
         self.unfit.extend_from_slice(&lines.unfit);
         let byte = self.points.len();
         self.points.extend_from_slice(&lines.bytes);
-        let mut places = StoredAt { byte, stations: Vec::with_capacity(lines.frames.len()) };
+        let mut stored = StoredAt { byte, stations: Vec::with_capacity(lines.frames.len()) };
         let mut stations = lines.stations.as_slice();
         for frame in &lines.frames {
             let (own, others) = stations.split_at(frame.stations);
             let first = u32::try_from(self.stations.len());
             let first = first.map_err(|_| TooLarge::new("point_stations"))?;
             let key: &[u8] = bytemuck::cast_slice(own);
-            places.stations.push(match self.known.get(key) {
+            stored.stations.push(match self.known.get(key) {
                 Some(first) => *first,
                 None => {
                     self.stations.extend_from_slice(own);
@@ -160,7 +160,7 @@ impl PointTables {
             });
             stations = others;
         }
-        Ok(places)
+        Ok(stored)
     }
 }
 
@@ -169,15 +169,15 @@ fn place(
     rows: &mut Rows,
     numbers: &[u32],
     lines: &Lines,
-    places: StoredAt,
+    stored: StoredAt,
 ) -> Result<(), TooLarge> {
-    for ((number, frame), station) in numbers.iter().zip(&lines.frames).zip(places.stations) {
+    for ((number, frame), station) in numbers.iter().zip(&lines.frames).zip(stored.stations) {
         let row: &mut SectionRow = &mut rows.sections[*number as usize];
         [row.x, row.y, row.z] = frame.origin;
         row.set_point_code(frame.code);
         row.first_station = station;
     }
-    let mut first = places.byte;
+    let mut first = stored.byte;
     for line in &lines.lanes {
         let Ok(first_byte) = u32::try_from(first) else {
             return Err(TooLarge::at_lane("points", rows, line.lane));

@@ -9,63 +9,42 @@ pub(crate) fn is_legal(character: char) -> bool {
 
 /// Bytes that are looked at together, a bit for each.
 const BLOCK: usize = u64::BITS as usize;
+/// Bytes of them that one instruction compares.
+const LANES: usize = 16;
 
 /// Passes over UTF-8 text once. Calls `line_feed` with the place of each line feed. Yields whether the text has a control character that is not
 /// allowed, or may have one of the two other characters that are not: U+FFFE and U+FFFF.
 pub(super) fn look(text: &[u8], mut line_feed: impl FnMut(usize)) -> bool {
-    let (mut found, mut has_others) = (Found::default(), false);
-    let (blocks, rest) = text.as_chunks::<BLOCK>();
-    let mut at = 0;
+    let (mut all, mut is_illegal, mut at) = (u8x16::ZERO, false, 0);
     let mut each = |block: &[u8; BLOCK]| {
-        let mut line_feeds = found.add(block);
-        has_others |= found.controls != line_feeds && has_other_control(block);
+        let (mut line_feeds, mut controls) = (0, 0);
+        for (place, bytes) in block.as_chunks().0.iter().enumerate() {
+            let bytes = u8x16::new(*bytes);
+            let bits = |found: u8x16| u64::from(found.to_bitmask()) << (place * LANES);
+            line_feeds |= bits(bytes.simd_eq(u8x16::splat(b'\n')));
+            controls |= bits(bytes.min(u8x16::splat(b' ' - 1)).simd_eq(bytes));
+            all |= bytes;
+        }
+        is_illegal |= controls != line_feeds && has_illegal_control(block);
         while line_feeds != 0 {
             line_feed(at + line_feeds.trailing_zeros() as usize);
             line_feeds &= line_feeds - 1;
         }
         at += BLOCK;
     };
+    let (blocks, rest) = text.as_chunks::<BLOCK>();
     blocks.iter().for_each(&mut each);
     let mut last = [b' '; BLOCK];
     if let Some(room) = last.get_mut(..rest.len()) {
         room.copy_from_slice(rest);
     }
     each(&last);
-    has_others || (found.has_more_than_ascii() && memchr::memmem::find(text, b"\xef\xbf").is_some())
-}
-
-/// What is known of the blocks so far.
-#[derive(Default)]
-struct Found {
-    /// The last block's characters before the space.
-    controls: u64,
-    /// Bits of all bytes.
-    all: u8x16,
-}
-
-impl Found {
-    /// Takes in a block. Yields its line feeds.
-    #[inline]
-    fn add(&mut self, block: &[u8; BLOCK]) -> u64 {
-        let mut line_feeds = 0;
-        self.controls = 0;
-        for (place, bytes) in block.as_chunks().0.iter().enumerate() {
-            let bytes = u8x16::new(*bytes);
-            let bits = |found: u8x16| u64::from(found.to_bitmask()) << (place * 16);
-            line_feeds |= bits(bytes.simd_eq(u8x16::splat(b'\n')));
-            self.controls |= bits(bytes.min(u8x16::splat(b' ' - 1)).simd_eq(bytes));
-            self.all |= bytes;
-        }
-        line_feeds
-    }
-
-    fn has_more_than_ascii(&self) -> bool {
-        self.all.to_bitmask() != 0
-    }
+    let is_ascii = all.to_bitmask() == 0;
+    is_illegal || (!is_ascii && memchr::memmem::find(text, b"\xef\xbf").is_some())
 }
 
 /// Whether there is a control character that is not allowed. Branch-free, so that it is compiled to vector instructions.
-fn has_other_control(block: &[u8; BLOCK]) -> bool {
+fn has_illegal_control(block: &[u8; BLOCK]) -> bool {
     block.iter().fold(false, |found, &byte| {
         let is_space = (byte == b'\t') | (byte == b'\n') | (byte == b'\r');
         found | ((byte < b' ') & !is_space)

@@ -65,7 +65,7 @@ impl LineIndex {
         Self { lengths, checkpoints, lines: 0, line_start: 0, next: 0, capacity }
     }
 
-    /// Takes in the next bytes of the input. Whether they may have a character that XML does not allow: looked for in the same pass.
+    /// Takes in the next bytes of the input. Yields whether they may have a character that XML does not allow, which is looked for in the same pass.
     pub(crate) fn feed(&mut self, bytes: &[u8]) -> bool {
         let next = self.next;
         let may_be_illegal = characters::look(bytes, |at| self.line(next + at as u64 + 1));

@@ -208,7 +208,7 @@ impl Places {
         }
     }
 
-    /// Takes in the next bytes of a file's decoded text. Whether they may have a character that XML does not allow.
+    /// Takes in the next bytes of a file's decoded text. Yields whether they may have a character that XML does not allow.
     pub(super) fn feed(&self, file: u16, bytes: &[u8]) -> bool {
         let mut files = self.lock();
         files.get_mut(usize::from(file)).is_some_and(|file| file.lines.feed(bytes))

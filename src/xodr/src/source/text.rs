@@ -169,8 +169,8 @@ impl<'a> Source<'a> {
         error.get_ref()?.downcast_ref()
     }
 
-    /// The input is refused from an offset of the decoded text on.
-    fn refuse(&mut self, start: u64, kind: RefusalKind) {
+    fn refuse(&mut self, kind: RefusalKind) {
+        let start = self.base + self.valid as u64;
         self.pending = Some(Refusal { start, kind });
     }
 
@@ -180,10 +180,7 @@ impl<'a> Source<'a> {
             if matches!(self.input, Opening::Unread(_)) {
                 self.begin()?;
             }
-            self.base += self.valid as u64;
-            let (valid, filled) = (self.valid, self.filled);
-            self.buffer.copy_within(valid..filled, 0);
-            (self.place, self.valid, self.filled) = (0, 0, filled - valid);
+            self.move_on();
             let mut buffer = std::mem::take(&mut self.buffer);
             let read = match self.decoder {
                 Decoder::Utf8 => self.read_utf8(&mut buffer),
@@ -198,23 +195,34 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
-    /// Reads text to where it stays; see [`Source::refill`]. `room` has the length of a window.
+    /// What was handed on is forgotten; the beginning of a character stays, at the buffer's start.
+    fn move_on(&mut self) {
+        self.base += self.valid as u64;
+        self.buffer.copy_within(self.valid..self.filled, 0);
+        (self.place, self.valid, self.filled) = (0, 0, self.filled - self.valid);
+    }
+
+    /// Whether the next text is read from the input as it is, and none waits.
+    fn reads_through(&self) -> bool {
+        let is_open = matches!((&self.input, &self.decoder), (Opening::Open(_), Decoder::Utf8));
+        let is_empty = self.place == self.valid && self.raw_place == self.raw_filled;
+        is_open && is_empty && !self.ended && self.pending.is_none()
+    }
+
+    /// As [`Source::refill`], but into a window's room elsewhere, where the text stays; how many bytes.
     fn refill_outside(&mut self, room: &mut [u8]) -> io::Result<usize> {
         loop {
-            let begun = self.valid..self.filled;
-            self.base += self.valid as u64;
-            (self.place, self.valid, self.filled) = (0, 0, begun.len());
-            room[..begun.len()].copy_from_slice(&self.buffer[begun.clone()]);
-            self.buffer.copy_within(begun, 0);
+            self.move_on();
+            let begun = self.filled;
+            room[..begun].copy_from_slice(&self.buffer[..begun]);
             self.read_utf8(room)?;
             self.look_at_text(room);
-            let (valid, filled) = (self.valid, self.filled);
-            // What is left stands in the buffer as if it began there.
-            self.buffer[..filled - valid].copy_from_slice(&room[valid..filled]);
-            self.base += valid as u64;
-            (self.place, self.valid, self.filled) = (0, 0, filled - valid);
-            if valid > 0 || self.ended || self.pending.is_some() {
-                return Ok(valid);
+            let (count, rest) = (self.valid, self.valid..self.filled);
+            // Behind what is handed on, the buffer has what the room has.
+            self.buffer[rest.clone()].copy_from_slice(&room[rest]);
+            self.move_on();
+            if count > 0 || self.ended || self.pending.is_some() {
+                return Ok(count);
             }
         }
     }
@@ -239,7 +247,7 @@ impl<'a> Source<'a> {
         }
         let first = &head[..count];
         if is_gzip && first.starts_with(&MAGIC) {
-            self.refuse(0, RefusalKind::NestedGzip);
+            self.refuse(RefusalKind::NestedGzip);
             return Ok(());
         }
         match encoding::detect(first) {
@@ -249,7 +257,7 @@ impl<'a> Source<'a> {
                 self.raw = head;
                 (self.raw_place, self.raw_filled) = (detected.mark, count);
             }
-            Err(kind) => self.refuse(0, kind),
+            Err(kind) => self.refuse(kind),
         }
         Ok(())
     }
@@ -275,7 +283,7 @@ impl<'a> Source<'a> {
     fn end(&mut self) {
         self.ended = true;
         if let Some(kind) = self.damage.take() {
-            self.refuse(self.base + self.valid as u64, kind);
+            self.refuse(kind);
         }
     }
 
@@ -302,8 +310,7 @@ impl<'a> Source<'a> {
             self.valid = error.valid_up_to();
             // The beginning of a character at the end of what was read may go on.
             if error.error_len().is_some() || (count == 0 && self.damage.is_none()) {
-                let kind = RefusalKind::InvalidBytes(self.decoder.name());
-                self.refuse(self.base + self.valid as u64, kind);
+                self.refuse(RefusalKind::InvalidBytes(self.decoder.name()));
             }
         }
         if count == 0 {
@@ -326,8 +333,7 @@ impl<'a> Source<'a> {
         self.raw_place += decoded.taken;
         (self.valid, self.filled) = (decoded.written, decoded.written);
         if decoded.invalid {
-            let kind = RefusalKind::InvalidBytes(self.decoder.name());
-            self.refuse(self.base + self.valid as u64, kind);
+            self.refuse(RefusalKind::InvalidBytes(self.decoder.name()));
         }
         if last {
             self.end();
@@ -347,7 +353,7 @@ impl<'a> Source<'a> {
                 self.valid -= 1;
             }
             self.filled = self.valid;
-            self.refuse(self.base + self.valid as u64, RefusalKind::DecodedBytes(limit));
+            self.refuse(RefusalKind::DecodedBytes(limit));
         }
         let text = &buffer[..self.valid];
         let may_be_illegal = self.shared.places.feed(self.file, text);
@@ -395,20 +401,14 @@ impl<'a> Source<'a> {
 
 impl Read for Source<'_> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let is_begun = matches!(self.input, Opening::Open(_));
-        let is_empty = self.place == self.valid && self.raw_place == self.raw_filled;
-        if let Some(room) = buffer.get_mut(..WINDOW)
-            && is_begun
-            && is_empty
-            && matches!(self.decoder, Decoder::Utf8)
+        if self.reads_through()
+            && let Some(room) = buffer.get_mut(..WINDOW)
         {
             self.look_at_piece()?;
-            if !self.ended && self.pending.is_none() {
-                let count = self.refill_outside(room)?;
-                self.taken = self.taken.saturating_add(count);
-                if count > 0 {
-                    return Ok(count);
-                }
+            let count = self.refill_outside(room)?;
+            self.taken = self.taken.saturating_add(count);
+            if count > 0 {
+                return Ok(count);
             }
         }
         let count = self.fill_buf()?.read(buffer)?;
