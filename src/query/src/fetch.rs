@@ -1,10 +1,11 @@
-//! What deciding several candidates will read, brought into the processor's caches ahead of it.
+//! What a query of lanes will read, brought into the processor's caches ahead of it.
 //!
 //! A lane's row names its section, that its road, that its records: in a map that no cache holds each step waits for memory.
 //! What is known without the step before, and what several candidates need, is waited for side by side.
 
 use crate::begun::TOGETHER;
 use crate::index::LaneSegment;
+use crate::lane::Lane;
 use mapd_archive::packed_index::LANES_PER_BLOCK;
 use mapd_archive::{Range, Tables, prefetch};
 
@@ -43,6 +44,32 @@ pub(crate) fn records(tables: &Tables<'_>, stretch: LaneSegment) {
         let point = usize::from(stretch.segment) * usize::from(section.point_bytes());
         tables.points.get(lane.first_byte() as usize + point).into_iter().for_each(prefetch);
     }
+}
+
+/// Brings the rows of a lane that is known and, of each kind of records that they name, where it begins. A query of one lane decides
+/// nothing between lanes: it would wait for each of them where it reads it first.
+#[inline(always)]
+pub(crate) fn known(lane: &Lane<'_>) {
+    let (row, road, tables) = (lane.row, lane.road.row, lane.map.tables());
+    prefetch(row);
+    prefetch(lane.section.row);
+    prefetch(road);
+    first(tables.geometries, road.geometries());
+    first(tables.cubics, row.widths());
+    first(tables.cubics, road.lane_offsets());
+    tables.points.get(row.first_byte() as usize).into_iter().for_each(prefetch);
+}
+
+/// Brings the heights along a lane's road, which only some queries read.
+#[inline(always)]
+pub(crate) fn heights(lane: &Lane<'_>) {
+    searched(lane.map.tables().cubics, lane.road.row.elevations());
+}
+
+/// Brings the first of some rows.
+#[inline(always)]
+fn first<T>(table: &[T], rows: Range) {
+    table.get(rows.first as usize).into_iter().for_each(prefetch);
 }
 
 /// Brings what a search among rows reads: all of few rows, which [`begun`](crate::begun::begun) compares side by side, of more the one where it begins.

@@ -1,6 +1,7 @@
 //! A point's place with respect to one lane as a whole.
 
 use crate::area::{SlabPosition, place_at_foot, place_by_call, slab, slab_around};
+use crate::fetch;
 use crate::index;
 use crate::lane::Lane;
 use crate::nearest::round_up;
@@ -83,6 +84,7 @@ fn held_at<'a>(lane: &Lane<'a>, at: usize, [u, lateral]: [f64; 2]) -> Option<Hol
 
 /// Whether a lane's area holds a point: whether its distance by [`position_in`] is 0. None without an area.
 pub(crate) fn is_in(lane: &Lane<'_>, local: DVec2) -> Option<bool> {
+    fetch::known(lane);
     match held(lane, local) {
         HoldingStretch::In(_) => Some(true),
         HoldingStretch::Nowhere if lane.row.center_count() > 1 => Some(false),
@@ -93,6 +95,8 @@ pub(crate) fn is_in(lane: &Lane<'_>, local: DVec2) -> Option<bool> {
 /// Position with respect to the whole lane: the nearest of its stretches; of equally near ones that nearer to the lane's centre, then the
 /// first.
 pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition> {
+    fetch::known(lane);
+    fetch::heights(lane);
     match held(lane, local) {
         HoldingStretch::In(found) => Some(found.position(lane)),
         _ => nearest_stretch(lane, local).map(|found| found.position(lane)),

@@ -29,7 +29,7 @@ const EXACT: f64 = 1e-9;
 pub struct Road<'a> {
     pub(crate) map: Map<'a>,
     number: u32,
-    row: &'a ArchivedRoadRow,
+    pub(crate) row: &'a ArchivedRoadRow,
 }
 
 /// What a road is linked to at one of its ends.
