@@ -48,8 +48,8 @@ struct Side {
 /// A quadrangle of a lane's area.
 pub(super) struct Cell {
     corners: [DVec2; 4],
-    /// Its sides but those that are too short to have a direction; computed for those that others come near.
-    sides: OnceCell<[Option<Side>; 4]>,
+    /// Its sides but those that are too short to have a direction; each is computed when it is first asked for.
+    sides: [OnceCell<Option<Side>>; 4],
     pub(super) z: f64,
     /// From the section's start.
     pub(super) s_from: f32,
@@ -60,7 +60,7 @@ impl Cell {
     /// Between two cross-sections, each from its inner to its outer end; at a height `[m]`, from one s to another.
     pub(super) fn new([a, b]: [[DVec2; 2]; 2], z: f64, [s_from, s_to]: [f32; 2]) -> Self {
         let corners = [a[0], a[1], b[1], b[0]];
-        Self { corners, sides: OnceCell::new(), z, s_from, s_to }
+        Self { corners, sides: [const { OnceCell::new() }; 4], z, s_from, s_to }
     }
 
     pub(super) fn bounds(&self) -> Bounds {
@@ -68,7 +68,7 @@ impl Cell {
     }
 
     fn side(&self, i: usize) -> Option<Side> {
-        *self.sides.get_or_init(|| sides(&self.corners)).get(i)?
+        *self.sides.get(i)?.get_or_init(|| side(&self.corners, i))
     }
 
     /// Middle of the cross-sections at both ends.
@@ -107,13 +107,11 @@ impl Cell {
     }
 }
 
-fn sides(corners: &[DVec2; 4]) -> [Option<Side>; 4] {
-    std::array::from_fn(|i| {
-        let edge = corners[(i + 1) % 4] - corners[i];
-        let length = edge.length();
-        let normal = DVec2::new(-edge.y, edge.x) / length;
-        (length >= STRIP).then(|| Side { normal, reach: reach(corners, normal) })
-    })
+fn side(corners: &[DVec2; 4], i: usize) -> Option<Side> {
+    let edge = corners[(i + 1) % 4] - corners[i % 4];
+    let length = edge.length();
+    let normal = DVec2::new(-edge.y, edge.x) / length;
+    (length >= STRIP).then(|| Side { normal, reach: reach(corners, normal) })
 }
 
 /// From where to where a quadrangle reaches along an axis.
