@@ -80,6 +80,11 @@ impl Document {
         if text.len() > limits.bytes {
             return Err(DocumentError::Bytes { found: text.len(), most: limits.bytes });
         }
+        // serde would take an array for the fields in their order.
+        if text.trim_ascii_start().starts_with(b"[") {
+            let why = "expected an object with the field `entries`, found an array".to_owned();
+            return Err(DocumentError::Json { place: "document".to_owned(), why });
+        }
         let mut reader = serde_json::Deserializer::from_slice(text);
         let document: Self = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
             let (place, why) = (error.path().to_string(), error.into_inner().to_string());

@@ -62,7 +62,7 @@ fn nearest_finds_the_lane_or_says_so() {
 }
 
 #[test]
-fn nearest_takes_types_radius_and_z() {
+fn nearest_takes_types_radius_vehicle_and_z() {
     check(
         &["nearest", "--types", "drivable"],
         "x,y\n20,-7\n",
@@ -72,6 +72,12 @@ fn nearest_takes_types_radius_and_z() {
         &["nearest", "--radius", "1"],
         "x,y\n20,-7\n",
         "x,y,lane,road_id,lane_id,s,t,offset,distance,error\n20,-7,,,,,,,,no lane within 1 m\n",
+    );
+    // Lane -2 is a sidewalk.
+    check(
+        &["nearest", "--vehicle", "passengerCar"],
+        "x,y\n20,-7\n",
+        "x,y,lane,road_id,lane_id,s,t,offset,distance,error\n20,-7,1:0:-1,1,-1,20.0,-7.0,-5.25,3.5,\n",
     );
     check(
         &["nearest", "--z-tolerance", "2"],

@@ -55,6 +55,7 @@ fn options_that_the_kind_does_not_heed() {
     let map = town();
     let along = ["route", "path", "corridor", "project", "conflicts"];
     let traffic = [&along[..], &["speed", "signals"]].concat();
+    let of_somebody = [&traffic[..], &["nearest", "match"]].concat();
     let program = mapd::cli::command();
     let query = program.find_subcommand("query").expect("a command");
     let kinds = query.get_arguments().find(|arg| arg.get_id() == "kind").expect("an argument");
@@ -69,7 +70,7 @@ fn options_that_the_kind_does_not_heed() {
         ("--alternatives", Some("1"), &["route"]),
         ("--avoid", Some("1:0:-1"), &along),
         ("--lane-change", Some("20"), &along),
-        ("--vehicle", Some("passengerCar"), &traffic),
+        ("--vehicle", Some("passengerCar"), &of_somebody),
         ("--overlay", None, &traffic),
         ("--rules", Some("DE"), &["conflicts"]),
         ("--step", Some("1"), &["path", "corridor"]),
@@ -85,6 +86,21 @@ fn options_that_the_kind_does_not_heed() {
         let said = if option == "--overlay" { "shm:NAME" } else { "needs the columns" };
         refuses(&args(heeding[0]), "", 0, said);
     }
+}
+
+/// A prefix that cannot be one kept commands from files, for which it means nothing.
+#[test]
+fn a_prefix_is_for_live_maps() {
+    let map = town();
+    let ends = |args: &[&str]| {
+        let output = Command::new(MAPD).env("MAPD_PREFIX", "no/prefix").args(args).output();
+        let output = output.expect("ends");
+        (output.status.code(), errors(&output))
+    };
+    assert_eq!(ends(&["inspect", &map]).0, Some(0));
+    assert_eq!(ends(&["export", &map, "--format", "svg", "-o", "/dev/null"]).0, Some(0));
+    let (code, said) = ends(&["inspect", "shm:town"]);
+    assert!(code == Some(2) && said.contains("no/prefix"), "{said}");
 }
 
 /// All rows behind it were taken for its text, with exit code 0.

@@ -108,6 +108,12 @@ fn each_fault_is_named_by_entry_and_field() {
         assert!(said.contains("nothing is changed"), "{said}");
         assert_eq!(scene.list(), before);
     };
+    // The entries alone, as serde takes a document's fields in their order.
+    for entries in ["[]", " [[]]", &format!("[{}]", closed("own", 1))] {
+        let said = scene.ends(&["apply", "-"], entries, 2);
+        assert!(said.contains("expected an object with the field `entries`, found an array"));
+        assert_eq!(scene.list(), before);
+    }
     let kind = r#""kind":"closed""#;
     refused(r#""lane":-1"#, r#""lane":-9"#, &["\"wrong\", lanes[0].lane", "no lane -9"]);
     refused("[10,20]", "[10,2000]", &["\"wrong\", lanes[0].s", "reaches from 0 m to 76 m"]);

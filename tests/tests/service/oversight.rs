@@ -128,6 +128,7 @@ fn errors_that_end_a_daemon_are_in_its_log() {
         (&["--no-cache"][..], 1, "is served by process"),
         (&["--overlay-from", missing], 2, missing),
         (&["--metrics", "0.0.0.0:0"], 2, "--metrics-open"),
+        (&["--metrics-open"], 2, "--metrics-open goes with --metrics"),
         (&["--prefix", "no/prefix"], 2, "no/prefix"),
         (&["--no-cache", "--last-good"], 2, "--last-good needs the cache"),
         (&["--no-cache", "--cache-size", "1GiB"], 2, "--cache-size needs the cache"),

@@ -79,6 +79,16 @@ impl Live {
     pub(crate) fn get(&self) -> Result<(Domain, Duration)> {
         Ok((self.domain.domain()?, self.wait.0))
     }
+
+    /// As [`Live::get`] for a live map. A file is read wherever daemons are: for it, what is named for them is not looked at.
+    ///
+    /// Errors: the source is a live map, and there is no such domain.
+    fn get_for(&self, source: &Source) -> Result<(Domain, Duration)> {
+        match source.file() {
+            Some(_) => Ok((Domain::new(mapd_transport::DEFAULT_PREFIX)?, self.wait.0)),
+            None => self.get(),
+        }
+    }
 }
 
 impl Opening {
@@ -98,7 +108,7 @@ impl Opening {
         source: &Source,
         manner: Manner,
     ) -> Result<Option<OpenedSource>> {
-        let (domain, wait) = self.live.get()?;
+        let (domain, wait) = self.live.get_for(source)?;
         let reading = self.ontology.for_source(source.is_compiled())?;
         let options = self.frame.source(source)?;
         let compiling = Compiling { reading: &reading, options: &options };

@@ -71,9 +71,14 @@ pub(crate) struct MetricsPort(Option<TcpListener>);
 impl OversightArgs {
     /// Opens the port of the metrics, if they are asked for.
     ///
-    /// Errors: the port cannot be had, or is open to others without --metrics-open.
+    /// Errors: the port cannot be had, or is open to others without --metrics-open, or that is said of none.
     pub(crate) fn open_metrics(&self) -> Result<MetricsPort> {
-        let Some(address) = self.metrics else { return Ok(MetricsPort(None)) };
+        let Some(address) = self.metrics else {
+            if self.metrics_open {
+                bail!(UsageError("--metrics-open goes with --metrics".to_owned()));
+            }
+            return Ok(MetricsPort(None));
+        };
         if !address.ip().is_loopback() && !self.metrics_open {
             let message = format!(
                 "--metrics {address} can be reached from other machines: say --metrics-open if that is meant"

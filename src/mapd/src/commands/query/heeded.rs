@@ -19,7 +19,7 @@ const OPTIONS: [(&str, Heeds); 13] = [
     ("alternatives", |kind| kind == Kind::Route),
     ("avoid", goes_along_a_route),
     ("lane_change", goes_along_a_route),
-    ("vehicle", depends_on_who_travels),
+    ("vehicle", |kind| depends_on_who_travels(kind) || matches!(kind, Kind::Nearest | Kind::Match)),
     ("overlay", depends_on_who_travels),
     ("rules", |kind| kind == Kind::Conflicts),
     ("step", |kind| matches!(kind, Kind::Path | Kind::Corridor)),
@@ -34,10 +34,14 @@ fn depends_on_who_travels(kind: Kind) -> bool {
     goes_along_a_route(kind) || matches!(kind, Kind::Speed | Kind::Signals)
 }
 
+/// Whether an option is given, by the name of its field.
+pub(super) fn is_given(matches: &ArgMatches, name: &str) -> bool {
+    matches.value_source(name) == Some(ValueSource::CommandLine)
+}
+
 /// Errors: an option is given that the kind does not heed.
 pub(super) fn check(kind: Kind, matches: &ArgMatches) -> Result<(), UsageError> {
-    let is_given = |name| matches.value_source(name) == Some(ValueSource::CommandLine);
-    match OPTIONS.iter().find(|(name, heeds)| is_given(name) && !heeds(kind)) {
+    match OPTIONS.iter().find(|(name, heeds)| is_given(matches, name) && !heeds(kind)) {
         Some((name, _)) => {
             let (kind, option) = (kind.name(), name.replace('_', "-"));
             Err(UsageError(format!("{kind} does not heed --{option}")))

@@ -30,6 +30,7 @@ pub(super) fn answer(
     let options = MatchOptions {
         types: nearest.types,
         z_tolerance: nearest.z_tolerance,
+        vehicle: nearest.vehicle,
         outline,
         ..MatchOptions::default()
     };

@@ -40,7 +40,7 @@ pub struct RouteArgs {
     /// route, and all that goes along one: cost of a lane change, in metres or seconds [default: 20 m, 2 s]
     #[arg(long, value_name = "COST", value_parser = not_negative)]
     lane_change: Option<f64>,
-    /// route, all that goes along one, speed, signals: kind of vehicle, in the words of access/restriction
+    /// route, all that goes along one, speed, signals: kind of vehicle, in the words of access/restriction; if given, nearest: only places that it may use, match: others are less likely
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
     vehicle: VehicleClass,
     /// shm:NAME: heed what is laid over the map (route, all that goes along one, speed, signals)
@@ -85,6 +85,13 @@ impl Default for RouteArgs {
             rules: None,
             step: STEP,
         }
+    }
+}
+
+impl RouteArgs {
+    /// The kind of vehicle.
+    pub(super) fn vehicle(&self) -> VehicleClass {
+        self.vehicle
     }
 }
 
