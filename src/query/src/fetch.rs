@@ -50,14 +50,17 @@ pub(crate) fn records(tables: &Tables<'_>, stretch: LaneSegment) {
 /// nothing between lanes: it would wait for each of them where it reads it first.
 #[inline(always)]
 pub(crate) fn known(lane: &Lane<'_>) {
-    let (row, road, tables) = (lane.row, lane.road.row, lane.map.tables());
+    let (row, section) = (lane.row, lane.section.row);
+    let (road, tables) = (lane.road.row, lane.map.tables());
     prefetch(row);
-    prefetch(lane.section.row);
+    prefetch(section);
     prefetch(road);
     first(tables.geometries, road.geometries());
     first(tables.cubics, row.widths());
     first(tables.cubics, road.lane_offsets());
     tables.points.get(row.first_byte() as usize).into_iter().for_each(prefetch);
+    let station = section.first_station() as usize;
+    tables.point_stations.get(station).into_iter().for_each(prefetch);
 }
 
 /// Brings the heights along a lane's road, which only some queries read.
