@@ -55,7 +55,7 @@ fn options_that_the_kind_does_not_heed() {
     let map = town();
     let along = ["route", "path", "corridor", "project", "conflicts"];
     let traffic = [&along[..], &["speed", "signals"]].concat();
-    let of_somebody = [&traffic[..], &["nearest", "match"]].concat();
+    let with_vehicle = [&traffic[..], &["nearest", "match"]].concat();
     let program = mapd::cli::command();
     let query = program.find_subcommand("query").expect("a command");
     let kinds = query.get_arguments().find(|arg| arg.get_id() == "kind").expect("an argument");
@@ -70,7 +70,7 @@ fn options_that_the_kind_does_not_heed() {
         ("--alternatives", Some("1"), &["route"]),
         ("--avoid", Some("1:0:-1"), &along),
         ("--lane-change", Some("20"), &along),
-        ("--vehicle", Some("passengerCar"), &of_somebody),
+        ("--vehicle", Some("passengerCar"), &with_vehicle),
         ("--overlay", None, &traffic),
         ("--rules", Some("DE"), &["conflicts"]),
         ("--step", Some("1"), &["path", "corridor"]),
@@ -99,6 +99,7 @@ fn a_prefix_is_for_live_maps() {
     };
     assert_eq!(ends(&["inspect", &map]).0, Some(0));
     assert_eq!(ends(&["export", &map, "--format", "svg", "-o", "/dev/null"]).0, Some(0));
+    assert_eq!(ends(&["bench", &map, "--clients", "1"]).0, Some(0));
     let (code, said) = ends(&["inspect", "shm:town"]);
     assert!(code == Some(2) && said.contains("no/prefix"), "{said}");
 }

@@ -111,7 +111,8 @@ fn each_fault_is_named_by_entry_and_field() {
     // The entries alone, as serde takes a document's fields in their order.
     for entries in ["[]", " [[]]", &format!("[{}]", closed("own", 1))] {
         let said = scene.ends(&["apply", "-"], entries, 2);
-        assert!(said.contains("expected an object with the field `entries`, found an array"));
+        let words = "expected an object with the field `entries`, found an array";
+        assert!(said.contains(words), "{said}");
         assert_eq!(scene.list(), before);
     }
     let kind = r#""kind":"closed""#;

@@ -107,6 +107,7 @@ impl Cell {
     }
 }
 
+/// The side behind a corner; none where it is too short to have a direction.
 fn side(corners: &[DVec2; 4], i: usize) -> Option<Side> {
     let edge = corners[(i + 1) % 4] - corners[i % 4];
     let length = edge.length();

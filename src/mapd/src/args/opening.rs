@@ -80,11 +80,11 @@ impl Live {
         Ok((self.domain.domain()?, self.wait.0))
     }
 
-    /// As [`Live::get`] for a live map. A file is read wherever daemons are: for it, what is named for them is not looked at.
+    /// As [`Live::get`], but for a file, which is read wherever daemons are: what is named for them is not looked at.
     ///
-    /// Errors: the source is a live map, and there is no such domain.
-    fn get_for(&self, source: &Source) -> Result<(Domain, Duration)> {
-        match source.file() {
+    /// Errors: the source is no file, and there is no such domain.
+    pub(crate) fn get_for(&self, source: Option<&Source>) -> Result<(Domain, Duration)> {
+        match source.and_then(Source::file) {
             Some(_) => Ok((Domain::new(mapd_transport::DEFAULT_PREFIX)?, self.wait.0)),
             None => self.get(),
         }
@@ -108,7 +108,7 @@ impl Opening {
         source: &Source,
         manner: Manner,
     ) -> Result<Option<OpenedSource>> {
-        let (domain, wait) = self.live.get_for(source)?;
+        let (domain, wait) = self.live.get_for(Some(source))?;
         let reading = self.ontology.for_source(source.is_compiled())?;
         let options = self.frame.source(source)?;
         let compiling = Compiling { reading: &reading, options: &options };

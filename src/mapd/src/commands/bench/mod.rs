@@ -77,7 +77,7 @@ impl BenchCommand {
     ///
     /// Errors: more clients than may subscribe; as [`measure`].
     pub(crate) fn run(self, out: &mut dyn Write) -> Result<Exit> {
-        let (domain, wait) = self.live.get()?;
+        let (domain, wait) = self.live.get_for(self.source.as_ref())?;
         let most = MAX_SUBSCRIBERS - SUBSCRIBERS_OF_OTHERS;
         ensure!(
             self.attach.get() != Attach::Subscriber || usize::from(self.clients) <= most,

@@ -63,7 +63,7 @@ impl QueryCommand {
             radius: self.radius.unwrap_or(usual_radius),
             types: lane_types(&self.types)?,
             // Routes are some vehicle's in any case; places are all, where none is named.
-            vehicle: heeded::is_given(matches, "vehicle").then(|| self.route.vehicle()),
+            vehicle: heeded::is_given(matches, "vehicle").then_some(self.route.vehicle),
             z_tolerance: self.z_tolerance,
             heading_tolerance: self.heading_tolerance,
             ..NearestOptions::default()

@@ -42,7 +42,7 @@ pub struct RouteArgs {
     lane_change: Option<f64>,
     /// route, all that goes along one, speed, signals: kind of vehicle, in the words of access/restriction; if given, nearest: only places that it may use, match: others are less likely
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
-    vehicle: VehicleClass,
+    pub(super) vehicle: VehicleClass,
     /// shm:NAME: heed what is laid over the map (route, all that goes along one, speed, signals)
     #[arg(long)]
     pub(super) overlay: bool,
@@ -85,13 +85,6 @@ impl Default for RouteArgs {
             rules: None,
             step: STEP,
         }
-    }
-}
-
-impl RouteArgs {
-    /// The kind of vehicle.
-    pub(super) fn vehicle(&self) -> VehicleClass {
-        self.vehicle
     }
 }
 
