@@ -14,6 +14,10 @@ const NO_FOLD: f64 = 0.5;
 const PARTS: usize = 16;
 /// Cuts of two parts by the golden section: from metres to a picometre.
 const CUTS: usize = 60;
+/// Distances that differ by less `[m]` differ by rounding: what searching the flat ground around the least one finds is not better.
+const ROUNDING: f64 = 1e-12;
+/// A step from an end inwards, as a share of a part: what it tells of the slope is far above rounding.
+const STEP: f64 = 1e-6;
 /// What is left of a stretch that is cut by the golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -88,11 +92,22 @@ fn nearest<'a>(
         let behind = if i > PARTS { here } else { look(s.min(high)) };
         let is_least = here.distance <= before.distance && here.distance <= behind.distance;
         let is_foot = (here.ahead > 0.0) != (behind.ahead > 0.0);
+        let from = if is_least { before } else { here };
         if is_least || is_foot {
-            let from = if is_least { before.s } else { here.s };
-            let found = least(lane, slab, local, [from, behind.s]);
+            let lowest = from.distance.min(here.distance).min(behind.distance);
+            // The foot that is known tells the least distance around it better than a search does.
+            let is_inside = low < fast.s() && fast.s() < high;
+            let is_around = from.s <= fast.s() && fast.s() <= behind.s;
+            let is_known = is_inside && is_around && fast.distance <= lowest;
+            // At an end, of which one side alone counts, a step inwards tells whether it is the least.
+            let inwards = if from.s < here.s { from.s } else { behind.s };
+            let is_end = is_least && !is_foot && (from.s == here.s || here.s == behind.s);
+            let is_settled = is_known
+                || is_end && look(here.s + (inwards - here.s) * STEP).distance >= here.distance;
+            let found =
+                if is_settled { here } else { least(lane, slab, local, [from.s, behind.s]) };
             let found = if found.distance < here.distance { found } else { here };
-            if found.distance < best.distance {
+            if found.distance < best.distance - ROUNDING {
                 (best, is_better) = (found, true);
             }
         }
@@ -104,7 +119,7 @@ fn nearest<'a>(
     let (place, ahead) = across(lane, slab, local, best.s);
     let is_beyond = (best.s == high && ahead > 0.0) || (best.s == low && ahead < 0.0);
     let distance = if best.distance <= EDGE { 0.0 } else { best.distance };
-    SlabPosition::new(slab, &place, distance, is_beyond)
+    SlabPosition::new(slab.geometry, &place, distance, is_beyond)
 }
 
 /// The nearest place between two.

@@ -5,6 +5,7 @@ use mapd_client::glam::DVec2;
 use mapd_client::vocabulary::LaneType;
 use mapd_client::{Lane, LaneTypes, Map, NearestOptions, Road, Track};
 use mapd_geometry::clamp;
+use mapd_tests::graph_maps::{Line, document, road, section, wide};
 use mapd_tests::maps::{Random, carried_and, open, open_text};
 
 /// Maps besides the carried ones.
@@ -357,6 +358,31 @@ fn what_lies_beyond_the_centre_of_curvature_is_found() {
         for _ in 0..POINTS {
             let point = DVec2::new(random.between(-12.0, 16.0), random.between(-12.0, 16.0));
             check(map, &lanes, point, &format!("{bend} {side}"));
+        }
+    }
+}
+
+/// Beside a tight turn the place is the point's foot to rounding: a search for it on the flat ground around the least distance was off by 3e-8 m.
+#[test]
+fn beside_a_tight_turn_the_nearest_place_is_the_foot() {
+    const WIDTH: f64 = 3.5;
+    let mut random = Random(35);
+    for curvature in [0.15, 0.18, -0.17, -0.21] {
+        let id = if curvature > 0.0 { 1 } else { -1 };
+        let lane = wide(id, "", "", &format!("a=\"{WIDTH}\" b=\"0\" c=\"0\" d=\"0\""), "");
+        let section = if id > 0 { section(0.0, &lane, "") } else { section(0.0, "", &lane) };
+        let line = Line(0.0, 0.0, 0.3, 9.0, curvature);
+        let snapshot = open_text(&document(&road("1", "junction=\"-1\"", line, "", &section)));
+        let map = snapshot.map();
+        let road = map.road_by_id("1").expect("the road");
+        for _ in 0..POINTS {
+            let (s, beside) = (random.between(0.1, 8.9), random.between(0.0, 0.8));
+            let t = (WIDTH + beside) * f64::from(id);
+            let point = road.to_inertial(Track { s, t, h: 0.0 }).expect("a pose").position;
+            let hit = map.nearest_lane(point.truncate(), &NearestOptions::default());
+            let found = hit.expect("an answer").expect("a lane").position;
+            let off = [found.s - s, found.t - t, found.distance - beside];
+            assert!(off.iter().all(|off| off.abs() < 1e-11), "{curvature}, {s}, {t}: {found:?}");
         }
     }
 }
