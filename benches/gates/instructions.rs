@@ -18,15 +18,15 @@ const RUNS: [usize; 2] = [500, 2_500];
 /// Kinds of [`query_probe`](../planner/src/bin/query_probe.rs) and the instructions that one query may take on the carried town:
 /// what it took when the bound was set, and a twentieth.
 const BOUNDS: [(&str, u64); 12] = [
-    ("nearest", 3_385),
-    ("trajectory", 2_985),
+    ("nearest", 3_235),
+    ("trajectory", 2_870),
     ("beside", 16_450),
     ("hinted", 5_850),
     ("inertial", 520),
     ("inertial-trajectory", 515),
     ("track", 755),
-    ("position", 1_650),
-    ("contains", 1_155),
+    ("position", 1_270),
+    ("contains", 815),
     ("near", 30_240),
     ("near-few", 6_140),
     ("short-length", 815),

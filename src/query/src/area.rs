@@ -12,7 +12,7 @@ use crate::road::{GeometryPiece, geometry_at};
 use crate::types::{Clamped, LaneEdges, LanePosition, turned};
 use glam::DVec2;
 use mapd_archive::{ArchivedGeometryRow, lane_flags};
-use mapd_geometry::{clamp, normalize_angle};
+use mapd_geometry::{CurveKind, clamp, normalize_angle};
 
 /// Iterations for the foot on a border; each gains several digits, the last ones are for points far outside.
 const BORDER_ITERATIONS: usize = 12;
@@ -40,7 +40,7 @@ pub(crate) struct Slab<'a> {
     /// Last s `[m]`.
     pub(crate) s_hi: f64,
     /// The geometry that holds there.
-    geometry: &'a ArchivedGeometryRow,
+    pub(crate) geometry: &'a ArchivedGeometryRow,
     pub(crate) piece: GeometryPiece<'a>,
 }
 
@@ -76,24 +76,6 @@ pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
     let rows = lane.road.geometries();
     let at = geometry_at(rows, 0.5 * (lo + hi));
     slab_between(lane, (lo, hi), at, lane.road.piece(rows.get(at)?)?)
-}
-
-/// The slab around s, if it lies on the geometry of this number, whose piece this is.
-#[inline]
-pub(crate) fn slab_around<'a>(
-    lane: &Lane<'a>,
-    s: f64,
-    at: usize,
-    piece: GeometryPiece<'a>,
-) -> Option<Slab<'a>> {
-    let points = lane.center_points();
-    let segment = if points.len() == 2 { 0 } else { segment_at(lane, s)? };
-    let ends = [points.station(segment)?, points.station(segment + 1)?];
-    let (lo, hi) = exact_ends(lane, segment, ends)?;
-    let (rows, middle) = (lane.road.geometries(), 0.5 * (lo + hi));
-    let begins = at == 0 || rows.get(at)?.s() <= middle;
-    let ends = rows.get(at + 1).is_none_or(|next| next.s() > middle);
-    if begins && ends { slab_between(lane, (lo, hi), at, piece) } else { None }
 }
 
 /// Both s of a segment of the lane's centre line from its stations; none where it has no area.
@@ -246,13 +228,13 @@ pub(crate) struct SlabPosition<'a> {
 impl<'a> SlabPosition<'a> {
     #[inline]
     pub(crate) fn new(
-        slab: &Slab<'a>,
+        geometry: &'a ArchivedGeometryRow,
         across: &LateralPlace,
         distance: f64,
         is_beyond: bool,
     ) -> Self {
         Self {
-            geometry: slab.geometry,
+            geometry,
             at: across.at,
             roll_sin: across.roll.1,
             t: across.t,
@@ -280,7 +262,11 @@ impl<'a> SlabPosition<'a> {
     pub(crate) fn heading(&self, lane: &Lane<'_>) -> f64 {
         let heading =
             |piece: &GeometryPiece<'_>| normalize_angle(piece.curve.heading(self.at.s - piece.s));
-        // Most geometries are lines and arcs, of which it is told for less.
+        if CurveKind::from_code(self.geometry.kind()) == Some(CurveKind::Line) {
+            // As a curve adds what it has turned: −0 becomes 0.
+            return normalize_angle(self.geometry.hdg() + 0.0);
+        }
+        // Most others are arcs, of which it is told for less.
         match lane.road.simple_piece(self.geometry) {
             Some(piece) => heading(&piece),
             None => lane.road.piece(self.geometry).map_or(0.0, |piece| heading(&piece)),
@@ -345,20 +331,23 @@ pub(crate) fn place_inside<'a>(
     }
     let beside = across.is_beside();
     let distance = if beside { across.border_distance(lane, slab, local) } else { 0.0 };
-    Some(SlabPosition::new(slab, &across, distance, false))
+    Some(SlabPosition::new(slab.geometry, &across, distance, false))
 }
 
-/// The place of a point whose foot on a slab's geometry is known by u and lateral offset, if the slab holds it: `Some(None)` if it does
-/// not, none where rounding decides.
+/// The place of a point whose only foot on the reference line along a lane is known by its geometry, s and lateral offset: `Some(None)` if
+/// the lane does not hold it. None where rounding decides, or a record begins within `margin` `[m]` of the foot.
 #[inline]
 pub(crate) fn place_at_foot<'a>(
     lane: &Lane<'a>,
-    slab: &Slab<'a>,
-    [u, lateral]: [f64; 2],
+    geometry: &'a ArchivedGeometryRow,
+    [s, lateral]: [f64; 2],
+    margin: f64,
 ) -> Option<Option<SlabPosition<'a>>> {
-    let across = LateralPlace::new(lane, slab, u, lateral);
+    let roll = profile::roll(profile::apart(lane.road.superelevations(), s, margin)?);
+    let edges = lane.edges_apart(s, margin)?;
+    let across = LateralPlace { at: At::new(s), roll, t: lateral / roll.0, edges };
     if !across.is_beside() {
-        return Some(Some(SlabPosition::new(slab, &across, 0.0, false)));
+        return Some(Some(SlabPosition::new(geometry, &across, 0.0, false)));
     }
     let [low, high] = across.sides();
     (across.t - high > EDGE || low - across.t > EDGE).then_some(None)
@@ -394,7 +383,7 @@ pub(crate) fn place<'a>(lane: &Lane<'a>, slab: &Slab<'a>, local: DVec2) -> SlabP
     if beside {
         distance = distance.min(across.border_distance(lane, slab, local));
     }
-    let place = SlabPosition::new(slab, &across, distance, beyond.is_some());
+    let place = SlabPosition::new(slab.geometry, &across, distance, beyond.is_some());
     // Of a line or an arc it is told for less that none of its cross-sections cross.
     let may_fold = |curvature: f64| folds::may_reach(curvature, across.sides());
     if curve.even_curvature_up_to(last).is_none_or(may_fold) && distance > 0.0 {

@@ -58,9 +58,6 @@ pub(crate) fn known(lane: &Lane<'_>) {
     first(tables.geometries, road.geometries());
     first(tables.cubics, row.widths());
     first(tables.cubics, road.lane_offsets());
-    tables.points.get(row.first_byte() as usize).into_iter().for_each(prefetch);
-    let station = section.first_station() as usize;
-    tables.point_stations.get(station).into_iter().for_each(prefetch);
 }
 
 /// Brings the heights along a lane's road, which only some queries read.

@@ -99,6 +99,18 @@ impl<'a> Lane<'a> {
         LaneEdges { inner, outer }
     }
 
+    /// Both edges at s, where no record that tells of them begins within `margin` `[m]` of it; none otherwise.
+    #[inline]
+    pub(crate) fn edges_apart(&self, s: f64, margin: f64) -> Option<LaneEdges> {
+        let read = |records| profile::apart(records, s, margin);
+        let beside = |edge: Option<f64>, sign, width: Option<f64>| {
+            let (edge, width) = (edge?, width?);
+            Some(edge + sign * if width > 0.0 { width } else { 0.0 })
+        };
+        let [inner, outer] = self.add_up(read, beside);
+        Some(LaneEdges { inner: inner?, outer: outer? })
+    }
+
     /// Both edges at a place with their growth along s.
     #[inline(never)]
     pub(crate) fn edge_slopes(&self, at: At) -> EdgeSlopes {

@@ -50,7 +50,7 @@ impl<'a> Asked<'_, 'a> {
     #[inline(never)]
     fn place(&self, s: f64) -> Place {
         let (across, _) = area::across(self.lane, self.slab, self.local, s);
-        let place = SlabPosition::new(self.slab, &across, 0.0, false);
+        let place = SlabPosition::new(self.slab.geometry, &across, 0.0, false);
         let heading = self.options.heading;
         let heading = heading.map_or(0.0, |heading| {
             heading_difference(self.lane, place.heading(self.lane), heading)

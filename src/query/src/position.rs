@@ -1,6 +1,6 @@
 //! A point's place with respect to one lane as a whole.
 
-use crate::area::{SlabPosition, place_at_foot, place_by_call, slab, slab_around};
+use crate::area::{SlabPosition, place_at_foot, place_by_call, slab};
 use crate::fetch;
 use crate::index;
 use crate::lane::Lane;
@@ -21,14 +21,14 @@ const ROUNDING: f64 = 1e-3;
 const GEOMETRIES: usize = 8;
 /// Nearness to the line's centre of curvature, as a share of the radius, below which stretches are looked at one by one.
 const MIN_CONTRACTION: f64 = 0.2;
-/// Nearness of a foot to an end of its stretch below which the next one may hold the point as well, per metre of the point's distance
-/// and at least this much `[m]`: well above what projecting rounds.
+/// Nearness of a foot to where a record begins or ends, below which what is on its other side may hold the point as well, per metre of the
+/// point's distance and at least this much `[m]`: well above what projecting rounds.
 const BESIDE_END: f64 = 1e-6;
 
 /// What the feet of a point on the reference line along a lane say of its place.
 enum HoldingStretch<'a> {
-    /// One stretch alone holds it.
-    In(SlabPosition<'a>),
+    /// One stretch alone holds it, and nothing begins or ends within so much of the foot `[m]`, heights apart.
+    In(SlabPosition<'a>, f64),
     /// None does.
     Nowhere,
     /// That is to be seen.
@@ -63,30 +63,36 @@ fn held<'a>(lane: &Lane<'a>, local: DVec2) -> HoldingStretch<'a> {
     HoldingStretch::Unknown
 }
 
-/// As [`held`], where the only foot is known: on which geometry, and its u and lateral offset.
+/// As [`held`], where the only foot is known: on which geometry, and its u and lateral offset. Away from where records begin it needs no
+/// stretch of the lane to tell which of them hold.
 #[inline]
 fn held_at<'a>(lane: &Lane<'a>, at: usize, [u, lateral]: [f64; 2]) -> Option<HoldingStretch<'a>> {
-    let piece = lane.road.simple_piece(lane.road.geometries().get(at)?)?;
+    let rows = lane.road.geometries();
+    let geometry = rows.get(at)?;
+    let piece = lane.road.simple_piece(geometry)?;
     let s = piece.s + u;
-    let slab = slab_around(lane, s, at, piece)?;
-    let margin = BESIDE_END * (1.0 + lateral.abs());
-    let is_apart = s - slab.s_lo > margin
-        && slab.s_hi - s > margin
-        && (0.0..=piece.curve.length()).contains(&u);
-    if !is_apart || 1.0 - piece.curve.curvature(u) * lateral < MIN_CONTRACTION {
+    let (start, end) = (lane.section.s_start(), lane.section.s_end());
+    // Stretches end where records begin, rounded to single precision.
+    let rounding = (end - start) * f64::from(f32::EPSILON);
+    let margin = BESIDE_END * (1.0 + lateral.abs()) + rounding;
+    let next =
+        rows.get(at + 1).map_or_else(|| lane.road.reference_end_on(geometry), |next| next.s());
+    let is_apart = s - start.max(piece.s) > margin && end.min(next) - s > margin;
+    let has_area = lane.row.center_count() > 1;
+    if !(is_apart && has_area && u <= piece.curve.length())
+        || 1.0 - piece.curve.curvature(u) * lateral < MIN_CONTRACTION
+    {
         return None;
     }
-    Some(
-        place_at_foot(lane, &slab, [u, lateral])?
-            .map_or(HoldingStretch::Nowhere, HoldingStretch::In),
-    )
+    let found = place_at_foot(lane, geometry, [s, lateral], margin)?;
+    Some(found.map_or(HoldingStretch::Nowhere, |found| HoldingStretch::In(found, margin)))
 }
 
 /// Whether a lane's area holds a point: whether its distance by [`position_in`] is 0. None without an area.
 pub(crate) fn is_in(lane: &Lane<'_>, local: DVec2) -> Option<bool> {
     fetch::known(lane);
     match held(lane, local) {
-        HoldingStretch::In(_) => Some(true),
+        HoldingStretch::In(..) => Some(true),
         HoldingStretch::Nowhere if lane.row.center_count() > 1 => Some(false),
         _ => Some(nearest_stretch(lane, local)?.distance == 0.0),
     }
@@ -97,10 +103,12 @@ pub(crate) fn is_in(lane: &Lane<'_>, local: DVec2) -> Option<bool> {
 pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition> {
     fetch::known(lane);
     fetch::heights(lane);
-    match held(lane, local) {
-        HoldingStretch::In(found) => Some(found.position(lane)),
-        _ => nearest_stretch(lane, local).map(|found| found.position(lane)),
+    if let HoldingStretch::In(found, margin) = held(lane, local)
+        && let Some(elevation) = profile::apart(lane.road.elevations(), found.s(), margin)
+    {
+        return Some(found.position_with(lane, found.heading(lane), elevation));
     }
+    nearest_stretch(lane, local).map(|found| found.position(lane))
 }
 
 /// Squared distance of a point from a segment in plan view `[m²]`.

@@ -164,6 +164,32 @@ pub(crate) fn value(records: &[ArchivedCubicRow], at: At) -> f64 {
     record(records, at).map_or(0.0, |r| cubic(r).value(at.s - r.s()))
 }
 
+/// As [`value`], where no record begins within `margin` `[m]` of the place; none otherwise. It asks no stretch which records hold.
+#[inline]
+pub(crate) fn apart(records: &[ArchivedCubicRow], s: f64, margin: f64) -> Option<f64> {
+    match records {
+        [] => Some(0.0),
+        [only] => {
+            let ds = s - only.s();
+            let value = if ds >= 0.0 { cubic(only).value(ds) } else { 0.0 };
+            (ds.abs() > margin).then_some(value)
+        }
+        _ => apart_among(records, s, margin),
+    }
+}
+
+/// As [`apart`], of any number of records.
+#[inline(never)]
+fn apart_among(records: &[ArchivedCubicRow], s: f64, margin: f64) -> Option<f64> {
+    let count = begun(records, s, |r| r.s());
+    if records.get(count).is_some_and(|next| next.s() - s <= margin) {
+        return None;
+    }
+    let Some(row) = count.checked_sub(1).and_then(|i| records.get(i)) else { return Some(0.0) };
+    let ds = s - row.s();
+    (ds > margin).then(|| cubic(row).value(ds))
+}
+
 #[inline]
 pub(crate) fn slope(records: &[ArchivedCubicRow], at: At) -> Slope {
     record(records, at).map_or(Slope::default(), |r| Record::of(Some(r)).slope(at.s))

@@ -355,7 +355,13 @@ impl<'a> Road<'a> {
 
     /// Largest s that the reference line reaches `[m]`: the road's length or the end of its last geometry.
     pub fn reference_end(&self) -> f64 {
-        self.geometries().last().map_or(0.0, |g| self.length().min(g.s() + g.length()))
+        self.geometries().last().map_or(0.0, |last| self.reference_end_on(last))
+    }
+
+    /// As [`Self::reference_end`], where the road's last geometry is known.
+    #[inline]
+    pub(crate) fn reference_end_on(&self, last: &ArchivedGeometryRow) -> f64 {
+        self.length().min(last.s() + last.length())
     }
 
     /// The reference line at s, relative to the local origin.
