@@ -135,17 +135,8 @@ fn a_lane_that_is_used_both_ways_leads_both_ways() {
     }
 }
 
-/// What single steps of double precision come to `[m]` and `[rad]`.
-const ROUNDING: f64 = 1e-12;
-
-/// Whether two positions differ by no more than rounding.
-fn is_rounded(a: &LanePosition, b: &LanePosition) -> bool {
-    let numbers = |p: &LanePosition| {
-        [p.s, p.t, p.offset, p.offset_of_reference_line, p.distance, p.z, p.heading]
-    };
-    let is_near = |(a, b): (f64, f64)| (a - b).abs() <= ROUNDING;
-    a.clamped == b.clamped && numbers(a).into_iter().zip(numbers(b)).all(is_near)
-}
+/// What the places of two stretches that meet may differ by, where one of them rounds the foot to its end `[m]`.
+const JOINT: f64 = 1e-12;
 
 /// A lane's position of a point is the nearest of those in its stretches, one by one: what is left out changes nothing.
 fn check_position(name: &str, lane: &Lane<'_>, point: DVec2) {
@@ -161,11 +152,13 @@ fn check_position(name: &str, lane: &Lane<'_>, point: DVec2) {
         return;
     };
     let found = lane.position_of(point).expect("a position");
-    // Where two stretches meet, either may answer, or the foot itself, which each of them rounds to its end.
-    let is_joint = lane.center_line().stations().any(|s| (s - found.s).abs() <= ROUNDING);
-    let is_one = key(&found) == key(nearest) && all.contains(&found);
-    let is_foot = || is_joint && all.iter().any(|one| is_rounded(&found, one));
-    assert!(is_one || is_foot(), "{}: {found:?} of {all:?}", what());
+    assert!(all.contains(&found), "{}: {found:?}", what());
+    // Where two stretches meet, either may answer.
+    let is_joint = || lane.center_line().stations().any(|s| (s - found.s).abs() <= JOINT);
+    let (own, least) = (key(&found), key(nearest));
+    let is_near = (own.1 - least.1).abs() <= JOINT && (own.2 - least.2).abs() <= JOINT;
+    let is_either = || own.0 == least.0 && is_near && is_joint();
+    assert!(own == least || is_either(), "{}: {found:?}, {nearest:?}", what());
     assert_eq!(lane.contains(point), Ok(nearest.distance == 0.0), "{}", what());
 }
 
