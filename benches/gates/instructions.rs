@@ -18,17 +18,17 @@ const RUNS: [usize; 2] = [500, 2_500];
 /// Kinds of [`query_probe`](../planner/src/bin/query_probe.rs) and the instructions that one query may take on the carried town:
 /// what it took when the bound was set, and a twentieth.
 const BOUNDS: [(&str, u64); 12] = [
-    ("nearest", 3_235),
-    ("trajectory", 2_870),
-    ("beside", 16_450),
-    ("hinted", 5_850),
+    ("nearest", 3_090),
+    ("trajectory", 2_735),
+    ("beside", 16_190),
+    ("hinted", 5_625),
     ("inertial", 520),
     ("inertial-trajectory", 515),
     ("track", 755),
-    ("position", 1_270),
-    ("contains", 815),
-    ("near", 30_240),
-    ("near-few", 6_140),
+    ("position", 1_245),
+    ("contains", 810),
+    ("near", 28_880),
+    ("near-few", 5_940),
     ("short-length", 815),
 ];
 

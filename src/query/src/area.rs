@@ -63,49 +63,30 @@ impl Slab<'_> {
     }
 }
 
-/// The slab of a segment of the lane's centre line, by its number within the line.
+/// The slab of a segment of the lane's centre line, by its number within the line; none where it has no area.
 #[inline(always)]
 pub(crate) fn slab<'a>(lane: &Lane<'a>, segment: usize) -> Option<Slab<'a>> {
-    let (lo, hi) = if segment == 0 && lane.row.center_count() == 2 {
+    let (start, end) = (lane.section.s_start(), lane.section.s_end());
+    let count = usize::from(lane.row.center_count());
+    let (lo, hi) = if segment == 0 && count == 2 {
         // All of the section, without a look at the points.
-        (lane.section.s_start(), lane.section.s_end())
+        (start, end)
     } else {
-        let ends = segment_ends(lane.map.tables(), lane.section.row, lane.row, segment)?;
-        exact_ends(lane, segment, ends)?
+        let [a, b] = segment_ends(lane.map.tables(), lane.section.row, lane.row, segment)?;
+        if a == b && count > 2 {
+            // Both sides of a jump, or records that hold for less than single precision tells apart: no area, as in the index.
+            return None;
+        }
+        // Stored s has 24 bits; the ends and, below, the joints of geometries are exact values, put back here.
+        let lo = if segment == 0 { start } else { (start + f64::from(a)).min(end) };
+        (lo, if segment + 2 == count { end } else { (start + f64::from(b)).min(end) })
     };
     let rows = lane.road.geometries();
     let at = geometry_at(rows, 0.5 * (lo + hi));
-    slab_between(lane, (lo, hi), at, lane.road.piece(rows.get(at)?)?)
-}
-
-/// Both s of a segment of the lane's centre line from its stations; none where it has no area.
-#[inline]
-fn exact_ends(lane: &Lane<'_>, segment: usize, [a, b]: [f32; 2]) -> Option<(f64, f64)> {
-    let count = usize::from(lane.row.center_count());
-    if a == b && count > 2 {
-        // Both sides of a jump, or records that hold for less than single precision tells apart: no area, as in the index.
-        return None;
-    }
-    let (start, end) = (lane.section.s_start(), lane.section.s_end());
-    // Stored s has 24 bits; the ends and the joints of geometries are exact values, put back here and in `slab_between`.
-    let lo = if segment == 0 { start } else { (start + f64::from(a)).min(end) };
-    let hi = if segment + 2 == count { end } else { (start + f64::from(b)).min(end) };
-    Some((lo, hi))
-}
-
-/// The slab between two s on the geometry of this number, whose piece this is.
-#[inline]
-fn slab_between<'a>(
-    lane: &Lane<'a>,
-    (lo, hi): (f64, f64),
-    at: usize,
-    piece: GeometryPiece<'a>,
-) -> Option<Slab<'a>> {
-    let (start, end) = (lane.section.s_start(), lane.section.s_end());
-    let rows = lane.road.geometries();
     let geometry = rows.get(at)?;
+    let piece = lane.road.piece(geometry)?;
     let geometry_start = if at == 0 { f64::NEG_INFINITY } else { geometry.s() };
-    let geometry_end = rows.get(at + 1).map_or_else(|| lane.road.reference_end(), |g| g.s());
+    let geometry_end = lane.road.geometry_end(at, geometry);
     let slack = (end - start) * f64::from(f32::EPSILON);
     let s_lo = if (lo - geometry_start).abs() <= slack { geometry_start } else { lo };
     let s_hi = if (hi - geometry_end).abs() <= slack { geometry_end } else { hi };

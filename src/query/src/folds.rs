@@ -83,9 +83,9 @@ fn nearest<'a>(
 ) -> SlabPosition<'a> {
     let (low, high) = (slab.s_lo, slab.s_hi);
     let look = |s: f64| look(lane, slab, local, s);
-    let mut best = Look { distance: fast.distance, ..look(high) };
-    let mut is_better = false;
     let mut here = look(low);
+    let mut best = Look { distance: fast.distance, ..here };
+    let mut is_better = false;
     let mut before = here;
     for i in 1..=PARTS + 1 {
         let s = low + (high - low) * (i as f64 / PARTS as f64);

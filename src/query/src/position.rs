@@ -67,17 +67,15 @@ fn held<'a>(lane: &Lane<'a>, local: DVec2) -> HoldingStretch<'a> {
 /// stretch of the lane to tell which of them hold.
 #[inline]
 fn held_at<'a>(lane: &Lane<'a>, at: usize, [u, lateral]: [f64; 2]) -> Option<HoldingStretch<'a>> {
-    let rows = lane.road.geometries();
-    let geometry = rows.get(at)?;
+    let geometry = lane.road.geometries().get(at)?;
     let piece = lane.road.simple_piece(geometry)?;
     let s = piece.s + u;
     let (start, end) = (lane.section.s_start(), lane.section.s_end());
     // Stretches end where records begin, rounded to single precision.
     let rounding = (end - start) * f64::from(f32::EPSILON);
     let margin = BESIDE_END * (1.0 + lateral.abs()) + rounding;
-    let next =
-        rows.get(at + 1).map_or_else(|| lane.road.reference_end_on(geometry), |next| next.s());
-    let is_apart = s - start.max(piece.s) > margin && end.min(next) - s > margin;
+    let geometry_end = lane.road.geometry_end(at, geometry);
+    let is_apart = s - start.max(piece.s) > margin && end.min(geometry_end) - s > margin;
     let has_area = lane.row.center_count() > 1;
     if !(is_apart && has_area && u <= piece.curve.length())
         || 1.0 - piece.curve.curvature(u) * lateral < MIN_CONTRACTION

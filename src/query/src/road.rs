@@ -360,8 +360,17 @@ impl<'a> Road<'a> {
 
     /// As [`Self::reference_end`], where the road's last geometry is known.
     #[inline]
-    pub(crate) fn reference_end_on(&self, last: &ArchivedGeometryRow) -> f64 {
+    fn reference_end_on(&self, last: &ArchivedGeometryRow) -> f64 {
         self.length().min(last.s() + last.length())
+    }
+
+    /// Where a geometry ends, by its number: where the next one begins, or with the reference line.
+    #[inline]
+    pub(crate) fn geometry_end(&self, at: usize, geometry: &ArchivedGeometryRow) -> f64 {
+        match self.geometries().get(at + 1) {
+            Some(next) => next.s(),
+            None => self.reference_end_on(geometry),
+        }
     }
 
     /// The reference line at s, relative to the local origin.
