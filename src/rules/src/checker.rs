@@ -131,10 +131,13 @@ impl Checker {
         Whole { rules: Arc::clone(&self.examiner.rules), network }
     }
 
-    /// Takes what all checks of the document as a whole found, in their order; yields the network for who builds from its links.
+    /// Takes what all checks of the document as a whole found; yields the network for who builds from its links.
     pub fn end(&mut self, whole: Whole, examined: impl IntoIterator<Item = Examined>) -> Network {
         let Whole { rules, network } = whole;
-        self.keep(Examined(examined.into_iter().flat_map(|examined| examined.0).collect()));
+        let mut found: Vec<_> = examined.into_iter().flat_map(|examined| examined.0).collect();
+        // By rule, whatever check found it: findings at one place stay in this order.
+        found.sort_by_key(|(rank, _)| *rank);
+        self.keep(Examined(found));
         for (applied, left_out) in rules.applied.iter().zip(&self.left_out) {
             for (left_out, severity) in left_out.iter().zip(LEFT_OUT) {
                 let Some((span, count)) = *left_out else { continue };

@@ -8,7 +8,7 @@ use crate::line::ReferenceLine;
 use crate::network::Network;
 use crate::order::{are_records_sorted, sort_records};
 use crate::place::{LaneIn, ObjectIn, RoadIn, SectionIn, SignalIn};
-use crate::rule::{Check, Minor, Rule};
+use crate::rule::{Check, JointCheck, Minor, Rule};
 use crate::settings::Settings;
 use crate::sink::{PathSegment, Sink};
 use mapd_xodr::{
@@ -29,6 +29,20 @@ pub(crate) struct Listed<F> {
     pub(crate) rank: usize,
     pub(crate) applied: Applied,
     pub(crate) check: F,
+}
+
+impl<F> Listed<F> {
+    /// Where the rule puts what it finds.
+    pub(crate) fn sink<'a>(
+        &self,
+        rules: &Rules,
+        path: &'a [PathSegment<'a>],
+        count: &'a mut u32,
+        out: &'a mut Vec<(usize, RuleOutcome)>,
+    ) -> Sink<'a> {
+        let Self { rank, applied: Applied { rule, severity }, .. } = *self;
+        Sink { rule, rank, severity, version: rules.version, path, out, count, limit: rules.limit }
+    }
 }
 
 /// Rules that look at something.
@@ -52,6 +66,7 @@ pub(crate) struct Lists {
     pub(crate) station: List<fn(&Station, &mut Sink<'_>)>,
     pub(crate) vms_group: List<fn(&VmsGroup, &mut Sink<'_>)>,
     pub(crate) network: List<fn(&Network, &mut Sink<'_>)>,
+    pub(crate) joints: List<JointCheck>,
 }
 
 impl Lists {
@@ -82,6 +97,7 @@ impl Lists {
                 Station => station,
                 VmsGroup => vms_group,
                 Network => network,
+                Joints => joints,
                 Overlaps => network,
             }
         }
@@ -191,21 +207,11 @@ impl Examiner {
     pub(crate) fn apply<F>(
         &mut self,
         rules: &Rules,
-        &Listed { rank, applied, .. }: &Listed<F>,
+        listed: &Listed<F>,
         path: &[PathSegment<'_>],
         look: impl FnOnce(&mut Sink<'_>),
     ) {
-        let Some(count) = self.counts.get_mut(rank) else { return };
-        let mut sink = Sink {
-            rule: applied.rule,
-            rank,
-            severity: applied.severity,
-            version: rules.version,
-            path,
-            out: &mut self.found,
-            count,
-            limit: rules.limit,
-        };
-        look(&mut sink);
+        let Some(count) = self.counts.get_mut(listed.rank) else { return };
+        look(&mut listed.sink(rules, path, count, &mut self.found));
     }
 }

@@ -47,7 +47,7 @@ pub use examiner::{Examined, ExaminedItem, Examiner};
 pub use example::Example;
 pub use network::{Network, extent};
 pub use place::{LaneIn, ObjectIn, RoadIn, SectionIn, Side, SignalIn};
-pub use rule::{Check, Minor, NEWEST, Rule, Tolerance};
+pub use rule::{Check, JointCheck, Minor, NEWEST, Rule, Tolerance};
 pub use settings::{Grade, Profile, Settings};
 pub use sink::Sink;
 pub use whole::Whole;

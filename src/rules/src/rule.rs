@@ -1,7 +1,7 @@
 //! What a rule is.
 
 use crate::example::Example;
-use crate::network::Network;
+use crate::network::{LaneJoint, Network};
 use crate::place::{LaneIn, ObjectIn, RoadIn, SectionIn, SignalIn};
 use crate::sink::Sink;
 use mapd_xodr::{
@@ -23,6 +23,15 @@ pub struct Tolerance {
     pub value: f64,
     /// Its unit.
     pub unit: &'static str,
+}
+
+/// Functions that look at where lanes go on as others.
+#[derive(Clone, Copy)]
+pub struct JointCheck {
+    /// Looks at one link of a lane. All rules do so in one walk over the network.
+    pub lane: fn(&Network, &LaneJoint<'_>, &mut Sink<'_>),
+    /// Looks at what else the rule is about, such as the links of connections, once all links of lanes were looked at.
+    pub rest: fn(&Network, &mut Sink<'_>),
 }
 
 /// A function that looks at one element, or at the network of all of them.
@@ -58,6 +67,8 @@ pub enum Check {
     VmsGroup(fn(&VmsGroup, &mut Sink<'_>)),
     /// All of the document in compact form, once it has ended.
     Network(fn(&Network, &mut Sink<'_>)),
+    /// As `Network`, by a look at each link of a lane.
+    Joints(JointCheck),
     /// As `Network`, by a look at all overlaps of roads.
     Overlaps(fn(&Network, &mut Sink<'_>)),
     /// None: reading finds it.
@@ -67,6 +78,11 @@ pub enum Check {
 }
 
 impl Check {
+    /// A look at each link of a lane, and at nothing else.
+    pub(crate) const fn joints(lane: fn(&Network, &LaneJoint<'_>, &mut Sink<'_>)) -> Self {
+        Self::Joints(JointCheck { lane, rest: |_, _| {} })
+    }
+
     /// Whether a function looks; not where reading or building finds it.
     pub fn looks(&self) -> bool {
         !matches!(self, Self::Reading | Self::Building)

@@ -17,9 +17,9 @@ impl Whole {
         &self.network
     }
 
-    /// Number of rules that look at the document as a whole.
+    /// Number of checks of the document as a whole: one for each rule, and the last for all rules on links of lanes.
     pub fn checks(&self) -> usize {
-        self.rules.lists.network.len()
+        self.rules.lists.network.len().saturating_add(1)
     }
 
     /// Whether the document's ids are together longer than 4 GiB, so that rules take some of them for empty: who compiles or
@@ -40,13 +40,36 @@ impl Whole {
         listed.is_some_and(|listed| matches!(listed.applied.rule.check, Check::Overlaps(_)))
     }
 
-    /// Applies a rule.
+    /// Does a check.
     pub fn examine(&self, check: usize) -> Examined {
         let Some(listed) = self.rules.lists.network.get(check) else {
-            return Examined::default();
+            return if check + 1 == self.checks() {
+                self.examine_joints()
+            } else {
+                Examined::default()
+            };
         };
         let mut examiner = Examiner::with(&self.rules);
         examiner.apply(&self.rules, listed, &[], |sink| (listed.check)(&self.network, sink));
         Examined(examiner.found)
+    }
+
+    /// Applies the rules on links of lanes: what a link touches is found once for all of them.
+    fn examine_joints(&self) -> Examined {
+        let (rules, network) = (&self.rules, &self.network);
+        let mut found: Vec<_> = rules.lists.joints.iter().map(|_| (0, Vec::new())).collect();
+        let with_sinks = rules.lists.joints.iter().zip(&mut found);
+        let mut looking: Vec<_> = with_sinks
+            .map(|(listed, (count, out))| (listed.check, listed.sink(rules, &[], count, out)))
+            .collect();
+        network.each_lane_joint(|joint| {
+            for (check, sink) in &mut looking {
+                (check.lane)(network, joint, sink);
+            }
+        });
+        for (check, sink) in &mut looking {
+            (check.rest)(network, sink);
+        }
+        Examined(found.into_iter().flat_map(|(_, out)| out).collect())
     }
 }

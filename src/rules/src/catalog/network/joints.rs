@@ -7,7 +7,7 @@ use crate::network::{
     ConnectedJoint, Contact, LaneEnd, LaneJoint, Neighbor, Network, RoadEnd, Station,
 };
 use crate::rule::Check::Network as All;
-use crate::rule::{Rule, Tolerance};
+use crate::rule::{Check, JointCheck, Rule, Tolerance};
 use crate::sink::{PartOf, Sink};
 use mapd_geometry::normalize_angle;
 use mapd_xodr::{JunctionType as Kind, Span};
@@ -25,7 +25,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:lane_smoothness.contact_point_no_horizontal_gaps",
         "The corners of two linked driving lanes coincide; if a lane continues as several, the outermost corners do.",
-        All(corners),
+        Check::Joints(JointCheck { lane: corners, rest: corners_connected }),
         [
             Lanes(
                 r#"<laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection>
@@ -120,53 +120,62 @@ fn astray(network: &Network, own: &LaneEnd<'_>, others: &[LaneEnd<'_>]) -> [Opti
     ends.map(|end| end.and_then(|(at, corner)| found(at, edge.apart(&edge_of(at)?)[corner])))
 }
 
-fn corners(network: &Network, sink: &mut Sink<'_>) {
-    let mut add = |joint: &LaneJoint<'_>, link: Span, other: &LaneEnd<'_>, gap: f64| {
-        let (s, id) = (joint.section.s, joint.lane.id);
-        let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link");
-        let (own, road) = (network.name(joint.road.id), network.name(other.road.id));
-        let expected = format_args!("the corners of lane {} of road {road}", other.lane.id);
-        let found = format_args!("them {gap:.3} m away");
-        sink.add_in(PartOf::road(own, &part), link, expected, found);
-    };
-    network.each_lane_joint(|joint| {
-        let Some(Neighbor { road, section, end }) = joint.neighbor else { return };
-        let own =
-            LaneEnd { road: joint.road, section: joint.section, lane: joint.lane, end: joint.end };
-        let links = network.links_of(joint.lane, joint.end);
-        if let [first, _, ..] = links {
-            // All links of a lane are looked at with the first of them.
-            if first.span != joint.link.span {
-                return;
-            }
-            let others = links.iter().filter_map(|link| {
-                let lane = network.lane(section, link.id)?;
-                let is_split = network.links_of(lane, end).len() > 1;
-                (!is_split).then_some((link.span, LaneEnd { road, section, lane, end }))
-            });
-            let (spans, others): (Vec<_>, Vec<_>) = others.unzip();
-            if others.len() == links.len() {
-                let found = astray(network, &own, &others);
-                for (at, gap) in found.into_iter().flatten() {
-                    if let (Some(span), Some(other)) = (spans.get(at), others.get(at)) {
-                        add(joint, *span, other, gap);
-                    }
+/// Adds a finding about a link of a lane and the lane whose corners lie away.
+fn add(
+    network: &Network,
+    joint: &LaneJoint<'_>,
+    link: Span,
+    (other, gap): (&LaneEnd<'_>, f64),
+    sink: &mut Sink<'_>,
+) {
+    let (s, id) = (joint.section.s, joint.lane.id);
+    let part = format!("lanes/laneSection[@s={s}]/lane[@id={id}]/link");
+    let (own, road) = (network.name(joint.road.id), network.name(other.road.id));
+    let expected = format_args!("the corners of lane {} of road {road}", other.lane.id);
+    let found = format_args!("them {gap:.3} m away");
+    sink.add_in(PartOf::road(own, &part), link, expected, found);
+}
+
+fn corners(network: &Network, joint: &LaneJoint<'_>, sink: &mut Sink<'_>) {
+    let Some(Neighbor { road, section, end }) = joint.neighbor else { return };
+    let own =
+        LaneEnd { road: joint.road, section: joint.section, lane: joint.lane, end: joint.end };
+    let links = network.links_of(joint.lane, joint.end);
+    if let [first, _, ..] = links {
+        // All links of a lane are looked at with the first of them.
+        if first.span != joint.link.span {
+            return;
+        }
+        let others = links.iter().filter_map(|link| {
+            let lane = network.lane(section, link.id)?;
+            let is_split = network.links_of(lane, end).len() > 1;
+            (!is_split).then_some((link.span, LaneEnd { road, section, lane, end }))
+        });
+        let (spans, others): (Vec<_>, Vec<_>) = others.unzip();
+        if others.len() == links.len() {
+            let found = astray(network, &own, &others);
+            for (at, gap) in found.into_iter().flatten() {
+                if let (Some(span), Some(other)) = (spans.get(at), others.get(at)) {
+                    add(network, joint, *span, (other, gap), sink);
                 }
             }
-            return;
         }
-        // Within a road, a pair of lanes is looked at once.
-        let is_seen = joint.road.id == road.id && joint.end == Contact::Start && joint.rank > 0;
-        let Some(lane) = (!is_seen).then(|| joint.target()).flatten() else { return };
-        // Of lanes that merge here, only some corners are those of the one that they go on as.
-        if network.links_of(lane, end).len() > 1 {
-            return;
-        }
-        let other = LaneEnd { road, section, lane, end };
-        if let [Some((_, gap)), _] = astray(network, &own, &[other]) {
-            add(joint, joint.link.span, &other, gap);
-        }
-    });
+        return;
+    }
+    // Within a road, a pair of lanes is looked at once.
+    let is_seen = joint.road.id == road.id && joint.end == Contact::Start && joint.rank > 0;
+    let Some(lane) = (!is_seen).then(|| joint.target()).flatten() else { return };
+    // Of lanes that merge here, only some corners are those of the one that they go on as.
+    if network.links_of(lane, end).len() > 1 {
+        return;
+    }
+    let other = LaneEnd { road, section, lane, end };
+    if let [Some((_, gap)), _] = astray(network, &own, &[other]) {
+        add(network, joint, joint.link.span, (&other, gap), sink);
+    }
+}
+
+fn corners_connected(network: &Network, sink: &mut Sink<'_>) {
     let mut joints = Vec::new();
     for junction in network.junctions.iter().filter(|junction| junction.kind == Kind::Default) {
         for connection in network.connections_of(junction) {
