@@ -32,6 +32,9 @@ const BOUNDS: [(&str, u64); 12] = [
     ("short-length", 815),
 ];
 
+/// Instructions that the nearest lane of a point beside a tight turn may take, where a look along the stretch tells whether another place is nearer.
+const TURN: f64 = 41_500.0;
+
 /// Most that all lanes near a place may take where they are few, as a multiple of the nearest alone within the same radius.
 const FEW: f64 = 2.0;
 
@@ -73,7 +76,7 @@ const BLOCKS: usize = 12;
 /// Times that it is compiled in the short and in the long run.
 const COMPILATIONS: [usize; 2] = [1, 3];
 /// Instructions that compiling may take per byte of OpenDRIVE, without landmarks: as for queries.
-const PER_BYTE: f64 = 347.0;
+const PER_BYTE: f64 = 331.0;
 /// Most that compiling may take with a patch of some roads, as a share of what it takes without.
 const PATCHED: f64 = 1.10;
 
@@ -199,6 +202,10 @@ fn main() -> ExitCode {
     for ((kind, bound), each) in BOUNDS.into_iter().zip(&counts) {
         exceeded |= exceeds(kind, *each, bound as f64, 0);
     }
+    let turns = folder.path().join("turns.mapd");
+    write(mapd_tests::graph_maps::tight_turns().as_bytes(), &turns);
+    let turn = counted(&[Job::new(&probe, &[&turns.to_string_lossy(), "turn"], RUNS)])[0];
+    exceeded |= exceeds("beside tight turns", turn, TURN, 0);
     let of = |(kind, _): &(&str, u64)| *kind == "near-few";
     let few = BOUNDS.iter().position(of).map(|at| counts[at]).expect("counted");
     let nearest = counted(&[Job::new(&probe, &[&path, "nearest-few"], RUNS)])[0];

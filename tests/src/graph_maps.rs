@@ -348,6 +348,15 @@ fn left_hand_traffic() -> GraphMap {
     }
 }
 
+/// Roads apart from each other that turn so tightly to the left that their lane comes near the centre of the turn.
+pub fn tight_turns() -> String {
+    let turn = |i: u32| {
+        let line = Line(50.0 * f64::from(i), 0.0, 0.0, 8.0, 0.16 + 0.01 * f64::from(i));
+        road(&i.to_string(), "junction=\"-1\"", line, "", &section(0.0, &lane(1, ""), ""))
+    };
+    document(&(0..8).map(turn).collect::<String>())
+}
+
 /// A circle that begins where it ends.
 pub fn circle(radius: f64) -> String {
     let lanes = section(0.0, &lane(1, "p1 s1"), &lane(-1, "p-1 s-1"));

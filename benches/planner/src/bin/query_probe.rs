@@ -1,6 +1,6 @@
 //! One process that opens an archive and asks a number of queries: `query_probe PATH KIND COUNT`, for counting
 //! instructions. Kinds: `nearest` (random over the roads), `trajectory` (in steps of half a metre), `beside` (the same
-//! beside the road, in no lane), `hinted` (that with the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `inertial-batch` (that of 5,000 places along the longest road, as a batch), `route` (the shortest way between random
+//! beside the road, in no lane), `turn` (beside tight turns), `hinted` (that with the last answer as a hint), `inertial` and `inertial-trajectory` (s, t to x, y, z), `inertial-batch` (that of 5,000 places along the longest road, as a batch), `route` (the shortest way between random
 //! places that have one), `border` (all points of a lane's border), `near` (all lanes within the radius), `near-few` (within a metre), `nearest-few` (the nearest within a metre); of the nearest lane or its road
 //! `track` (x, y to s, t), `position`, `contains`, `length` and `short-length` (along the whole longest lane and over a metre of it); `cloud` and `cloud-single` (5,000 particles as a batch, and one by one); `none`.
 
@@ -20,6 +20,27 @@ const BESIDE: f64 = -12.0;
 const WAYS: usize = 64;
 /// Vehicle that drives them.
 const CAR: VehicleClass = VehicleClass::PassengerCar;
+
+/// How far along a tight turn a point beside it lies, as a share of the section: where no stretch ends.
+const ALONG_TURN: f64 = 0.4;
+/// How far beside the lane it lies `[m]`.
+const BESIDE_TURN: f64 = 0.4;
+/// Where the lane's border lies there, as a share of the way to the centre of the turn.
+const NEAR_CENTER: [f64; 2] = [0.6, 0.95];
+
+/// Points beside tight turns, on the side of their centres, where lanes may have several feet.
+fn beside_turns(map: Map<'_>) -> Vec<DVec2> {
+    let beside = |lane: Lane<'_>| {
+        let section = lane.section();
+        let s = section.s_start() + ALONG_TURN * (section.s_end() - section.s_start());
+        let t = lane.edges_at(s).outer + BESIDE_TURN * f64::from(lane.number().signum());
+        let pose = lane.road().to_inertial(Track { s, t, h: 0.0 }).ok()?;
+        let nearness = lane.road().to_inertial(Track { s, t: 0.0, h: 0.0 }).ok()?.curvature * t;
+        let is_near = NEAR_CENTER[0] < nearness && nearness < NEAR_CENTER[1];
+        is_near.then(|| pose.position.truncate())
+    };
+    map.lanes().filter(|lane| lane.number() != 0).filter_map(beside).collect()
+}
 
 /// Pairs of places with a way between them.
 fn ways(map: Map<'_>, scratch: &mut RouteScratch) -> Vec<[PositionOnLane; 2]> {
@@ -56,6 +77,7 @@ fn main() -> ExitCode {
         places.iter_mut().for_each(|(_, _, t)| *t = BESIDE);
     }
     let roads: Vec<_> = map.roads().collect();
+    let turns = if kind == "turn" { beside_turns(map) } else { Vec::new() };
     let point = |&(road, s, t): &(u32, f64, f64)| {
         roads[road as usize].to_inertial(Track { s, t, h: 0.0 }).ok().map(|pose| pose.position)
     };
@@ -90,6 +112,11 @@ fn main() -> ExitCode {
         match kind.as_str() {
             "nearest" | "nearest-few" | "trajectory" | "beside" => {
                 black_box(map.nearest_lane(points[i % points.len()], &options).ok());
+            }
+            "turn" => {
+                // A map may have none.
+                let Some(point) = turns.get(i % turns.len().max(1)) else { continue };
+                black_box(map.nearest_lane(*point, &options).ok());
             }
             "hinted" => {
                 let hit = map.nearest_lane(points[i % points.len()], &options);
