@@ -42,12 +42,10 @@ impl Whole {
 
     /// Does a check.
     pub fn examine(&self, check: usize) -> Examined {
-        let Some(listed) = self.rules.lists.network.get(check) else {
-            return if check + 1 == self.checks() {
-                self.examine_joints()
-            } else {
-                Examined::default()
-            };
+        let checks = &self.rules.lists.network;
+        let Some(listed) = checks.get(check) else {
+            let is_last = check == checks.len();
+            return if is_last { self.examine_joints() } else { Examined::default() };
         };
         let mut examiner = Examiner::with(&self.rules);
         examiner.apply(&self.rules, listed, &[], |sink| (listed.check)(&self.network, sink));
