@@ -40,7 +40,7 @@ impl Whole {
         listed.is_some_and(|listed| matches!(listed.applied.rule.check, Check::Overlaps(_)))
     }
 
-    /// Does a check.
+    /// Does a check, by its number: from 0 on, and below [`Whole::checks`]. Others find nothing.
     pub fn examine(&self, check: usize) -> Examined {
         let checks = &self.rules.lists.network;
         let Some(listed) = checks.get(check) else {

@@ -59,7 +59,10 @@ pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:road.lane.link.zero_width_at_start",
         "A lane that begins without width has no predecessor.",
-        Check::Joints(JointCheck { lane: no_width_at_start, rest: no_width_at_start_connected }),
+        Check::Joints(JointCheck {
+            lane: |network, joint, sink| no_width(Contact::Start, network, joint, sink),
+            rest: |network, sink| no_width_connected(Contact::Start, network, sink),
+        }),
         [
             sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
             sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="0" b="0.06" c="0" d="0"/></lane>"#),
@@ -69,7 +72,10 @@ pub(super) static RULES: &[Rule] = &[
     Rule::warning(
         "asam.net:xodr:1.7.0:road.lane.link.zero_width_at_end",
         "A lane that ends without width has no successor.",
-        Check::Joints(JointCheck { lane: no_width_at_end, rest: no_width_at_end_connected }),
+        Check::Joints(JointCheck {
+            lane: |network, joint, sink| no_width(Contact::End, network, joint, sink),
+            rest: |network, sink| no_width_connected(Contact::End, network, sink),
+        }),
         [
             sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
             sections!(r#"<lane id="-1" type="driving"><link><successor id="-1"/></link><width sOffset="0" a="3" b="-0.06" c="0" d="0"/></lane>"#, r#"<lane id="-1" type="driving"><link><predecessor id="-1"/></link><width sOffset="0" a="3" b="0" c="0" d="0"/></lane>"#),
@@ -218,22 +224,6 @@ fn no_width_connected(end: Contact, network: &Network, sink: &mut Sink<'_>) {
             }
         }
     }
-}
-
-fn no_width_at_start(network: &Network, joint: &LaneJoint<'_>, sink: &mut Sink<'_>) {
-    no_width(Contact::Start, network, joint, sink);
-}
-
-fn no_width_at_start_connected(network: &Network, sink: &mut Sink<'_>) {
-    no_width_connected(Contact::Start, network, sink);
-}
-
-fn no_width_at_end(network: &Network, joint: &LaneJoint<'_>, sink: &mut Sink<'_>) {
-    no_width(Contact::End, network, joint, sink);
-}
-
-fn no_width_at_end_connected(network: &Network, sink: &mut Sink<'_>) {
-    no_width_connected(Contact::End, network, sink);
 }
 
 fn abrupt(network: &Network, joint: &LaneJoint<'_>, sink: &mut Sink<'_>) {
