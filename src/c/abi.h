@@ -1726,7 +1726,7 @@ mapd_code mapd_match_pose_batch(const struct mapd_snapshot *snapshot,
                                 struct mapd_error *error);
 mapd_code mapd_match_trace(const struct mapd_snapshot *snapshot,
                            const struct mapd_trace_fix *fixes,
-                           size_t fix_count,
+                           size_t count,
                            const struct mapd_trace_options *options,
                            struct mapd_scratch *scratch,
                            struct mapd_trace_match *out,

@@ -5152,14 +5152,14 @@ mapd_code mapd_match_pose_batch(const struct mapd_snapshot *snapshot,
                                 struct mapd_error *error);
 
 /*
- The lanes of a trace: the most probable way through all its fixes. `out` has room for `fix_count` answers, one for each fix. `options`: null
+ The lanes of a trace: the most probable way through all its fixes. `out` has room for `count` answers, one for each fix. `options`: null
  is the default.
 
  Errors: `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for times that fall and for options out of their domain.
  */
 mapd_code mapd_match_trace(const struct mapd_snapshot *snapshot,
                            const struct mapd_trace_fix *fixes,
-                           size_t fix_count,
+                           size_t count,
                            const struct mapd_trace_options *options,
                            struct mapd_scratch *scratch,
                            struct mapd_trace_match *out,
@@ -5569,7 +5569,7 @@ mapd_code mapd_path_along_of(const struct mapd_path *path,
                              struct mapd_error *error);
 
 /*
- 1 where some joint is broken: a gap of more than 0.1 m or a kink of more than 0.3 rad.
+ Whether some joint is broken, 1 or 0: a gap of more than 0.1 m or a kink of more than 0.3 rad.
  */
 mapd_code mapd_path_is_broken(const struct mapd_path *path, uint8_t *out, struct mapd_error *error);
 
@@ -6919,6 +6919,7 @@ mapd_code mapd_from_enu_batch(const struct mapd_projector *projector,
 
 /*
  As `mapd_nearest_lane`, from a place on Earth through a projector of this map. The altitude counts where `has_altitude` is not 0.
+ `MAPD_CODE_NONE` if no lane is within the radius.
 
  Errors: as `mapd_from_geodetic`.
  */

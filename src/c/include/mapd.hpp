@@ -93,34 +93,6 @@ class Snapshot : public Queries {
   std::string key(LaneId lane) const { return try_key(lane).value(); }
 #endif
 
-  /// Nearest lanes of many points; what has none gets a lane that names nothing. `out` has as many entries as `points`.
-  Error try_nearest_lanes(span<const mapd_point> points, span<Nearest> out, Scratch& scratch,
-                          const NearestOptions& options = {}) const {
-    const mapd_nearest_options own = options.c();
-    return detail::batch(points, out, [&](auto all, auto count, auto... rest) {
-      return mapd_nearest_lane_batch(get(), all, count, &own, scratch.get(), rest...);
-    });
-  }
-  /// The ground at many places; what has none gets a lane that names nothing. `out` has as many entries as `points`.
-  Error try_ground_below(span<const mapd_point> points, span<Ground> out, Scratch& scratch,
-                         span<const LaneId> expected = {}) const {
-    return detail::batch(points, out, [&](auto all, auto count, auto... rest) {
-      return mapd_ground_at_batch(get(), all, count, expected.data(), expected.size(), scratch.get(), rest...);
-    });
-  }
-  /// The road marks nearest to many points; what has none gets a lane that names nothing. `out` has as many entries as `points`.
-  Error try_nearest_marks(span<const Vec2> points, span<NearMark> out, const MarkFilter& filter = {}) const {
-    return detail::batch(points, out, [&](auto all, auto count, auto... rest) {
-      return mapd_nearest_mark_batch(get(), all, count, &filter, rest...);
-    });
-  }
-  /// Where each fix of a trace was. `out` has as many entries as `fixes`.
-  Error try_match_trace(span<const TraceFix> fixes, span<TraceMatch> out, Scratch& scratch,
-                        const TraceOptions& options = {}) const {
-    return detail::batch(fixes, out, [&](auto all, auto count, auto... rest) {
-      return mapd_match_trace(get(), all, count, &options, scratch.get(), rest...);
-    });
-  }
   /// The lanes that a vehicle may be in by a measured pose, the most probable first.
   Result<PoseMatch> try_match_pose(const VehiclePose& pose, const Covariance& covariance, Scratch& scratch,
                                    const MatchOptions& options = {}) const {
@@ -148,43 +120,10 @@ class Snapshot : public Queries {
     match.lanes = *std::move(lanes);
     return match;
   }
-  /// Poses of many track positions of a road. `out` has as many entries as `tracks`.
-  Error try_to_inertial(RoadId road, span<const Track> tracks, span<Pose> out) const {
-    return detail::batch(tracks, out, [&](auto... rest) { return mapd_road_to_inertial_batch(get(), road, rest...); });
-  }
-  /// Track positions of many points. `out` has as many entries as `points`.
-  Error try_to_track(RoadId road, span<const mapd_point> points, span<TrackPosition> out) const {
-    return detail::batch(points, out, [&](auto... rest) { return mapd_road_to_track_batch(get(), road, rest...); });
-  }
-  using Queries::try_to_inertial;
-  using Queries::try_to_track;
 #if MAPD_EXCEPTIONS
-  using Queries::to_inertial;
-  using Queries::to_track;
   PoseMatches match_poses(span<const VehiclePose> poses, span<const Covariance> covariances, Scratch& scratch,
                           const MatchOptions& options = {}) const {
     return try_match_poses(poses, covariances, scratch, options).value();
-  }
-  void to_inertial(RoadId road, span<const Track> tracks, span<Pose> out) const {
-    detail::must(try_to_inertial(road, tracks, out));
-  }
-  void to_track(RoadId road, span<const mapd_point> points, span<TrackPosition> out) const {
-    detail::must(try_to_track(road, points, out));
-  }
-  void nearest_lanes(span<const mapd_point> points, span<Nearest> out, Scratch& scratch,
-                     const NearestOptions& options = {}) const {
-    detail::must(try_nearest_lanes(points, out, scratch, options));
-  }
-  void ground_below(span<const mapd_point> points, span<Ground> out, Scratch& scratch,
-                    span<const LaneId> expected = {}) const {
-    detail::must(try_ground_below(points, out, scratch, expected));
-  }
-  void nearest_marks(span<const Vec2> points, span<NearMark> out, const MarkFilter& filter = {}) const {
-    detail::must(try_nearest_marks(points, out, filter));
-  }
-  void match_trace(span<const TraceFix> fixes, span<TraceMatch> out, Scratch& scratch,
-                   const TraceOptions& options = {}) const {
-    detail::must(try_match_trace(fixes, out, scratch, options));
   }
   PoseMatch match_pose(const VehiclePose& pose, const Covariance& covariance, Scratch& scratch,
                        const MatchOptions& options = {}) const {
@@ -192,6 +131,10 @@ class Snapshot : public Queries {
   }
 #endif
 
+  /// How a vehicle stands on the ground below its four wheels.
+  Result<std::optional<Stance>> try_stance_at(const VehiclePose& pose, const std::array<Vec2, 4>& wheels, Scratch& scratch, span<const LaneId> expected = {}) const {
+    return detail::optional<Stance>([&](auto... out) { return mapd_stance_at(get(), pose, wheels.data(), expected.data(), expected.size(), scratch.get(), out...); });
+  }
   /// Whether a point lies on a lane; a point with z only on one within the tolerance [m], if any is given.
   Result<bool> try_covers(Point point, std::optional<double> z_tolerance = std::nullopt) const {
     std::uint8_t out = 0;
@@ -200,60 +143,10 @@ class Snapshot : public Queries {
     if (code != MAPD_CODE_OK) return detail::failed(code, error);
     return out != 0;
   }
-  /// Whether a class of vehicles may use the lane at s in its own direction.
-  Result<bool> try_allows_at(LaneId lane, double s, std::uint8_t vehicle) const {
-    std::uint8_t out = 0;
-    mapd_error error;
-    const mapd_code code = mapd_lane_allows_at(get(), lane, s, vehicle, &out, &error);
-    if (code != MAPD_CODE_OK) return detail::failed(code, error);
-    return out != 0;
-  }
 #if MAPD_EXCEPTIONS
+  std::optional<Stance> stance_at(const VehiclePose& pose, const std::array<Vec2, 4>& wheels, Scratch& scratch, span<const LaneId> expected = {}) const { return try_stance_at(pose, wheels, scratch, expected).value(); }
   bool covers(Point point, std::optional<double> z_tolerance = std::nullopt) const {
     return try_covers(point, z_tolerance).value();
-  }
-  bool allows_at(LaneId lane, double s, std::uint8_t vehicle) const { return try_allows_at(lane, s, vehicle).value(); }
-#endif
-
-  /// The cheapest way through these places, in driving direction and by allowed lane changes; none if there is no way.
-  Result<std::optional<Route>> try_route(span<const PositionOnLane> places, Cost cost, Scratch& scratch) const {
-    return detail::route<Route>([&](auto... out) {
-      return mapd_route(get(), places.data(), places.size(), cost, scratch.get(), out...);
-    });
-  }
-#if MAPD_EXCEPTIONS
-  std::optional<Route> route(span<const PositionOnLane> places, Cost cost, Scratch& scratch) const {
-    return try_route(places, cost, scratch).value();
-  }
-#endif
-
-  /// The cheapest way from any start of a request to any of its goals.
-  Result<std::optional<Route>> try_find_route(const RouteRequest& request, Scratch& scratch) const {
-    return detail::route<Route>(
-        [&](auto... out) { return mapd_find_route(get(), &request, scratch.get(), out...); });
-  }
-  /// It and alternatives to it, cheapest first.
-  Result<std::vector<Route>> try_alternatives(const RouteRequest& request, Scratch& scratch,
-                                              const AlternativeOptions& options = {}) const {
-    return detail::routes<Route>(
-        [&](auto... out) { return mapd_alternatives(get(), &request, &options, scratch.get(), out...); });
-  }
-  /// What can be reached from a request's starts within a cost, or, with `to`, from where its goals can be.
-  Result<Reach> try_reach(const RouteRequest& request, double limit, bool to, Scratch& scratch) const {
-    return detail::reach<Reach>([&](auto... out) {
-      return mapd_reach(get(), &request, limit, to ? std::uint8_t{1} : std::uint8_t{0}, scratch.get(), out...);
-    });
-  }
-#if MAPD_EXCEPTIONS
-  std::optional<Route> find_route(const RouteRequest& request, Scratch& scratch) const {
-    return try_find_route(request, scratch).value();
-  }
-  std::vector<Route> alternatives(const RouteRequest& request, Scratch& scratch,
-                                  const AlternativeOptions& options = {}) const {
-    return try_alternatives(request, scratch, options).value();
-  }
-  Reach reach(const RouteRequest& request, double limit, bool to, Scratch& scratch) const {
-    return try_reach(request, limit, to, scratch).value();
   }
 #endif
 
@@ -276,14 +169,6 @@ class Snapshot : public Queries {
   View view(double at_s) const { return try_view(at_s).value(); }
 #endif
 
-  /// What all sequences of lanes ahead of a place, or behind it, have in common; `try_next_sequence` tells them one by one.
-  Result<Reach> try_lane_sequences(PositionOnLane from, double distance, std::uint8_t vehicle, bool ahead,
-                                   Scratch& scratch) const {
-    return detail::reach<Reach>([&](auto... out) {
-      return mapd_lane_sequences(get(), from, distance, vehicle, ahead ? std::uint8_t{1} : std::uint8_t{0},
-                                 scratch.get(), out...);
-    });
-  }
   /// The next of these sequences, by the same scratch; none after the last one.
   Result<std::optional<std::vector<LaneId>>> try_next_sequence(Scratch& scratch) const {
     std::vector<LaneId> lanes(64);
@@ -298,9 +183,6 @@ class Snapshot : public Queries {
     }
   }
 #if MAPD_EXCEPTIONS
-  Reach lane_sequences(PositionOnLane from, double distance, std::uint8_t vehicle, bool ahead, Scratch& scratch) const {
-    return try_lane_sequences(from, distance, vehicle, ahead, scratch).value();
-  }
   std::optional<std::vector<LaneId>> next_sequence(Scratch& scratch) const { return try_next_sequence(scratch).value(); }
 #endif
 
@@ -312,21 +194,9 @@ class Snapshot : public Queries {
   Result<Projector> try_file_projector() const {
     return detail::handle<Projector>([&](auto... out) { return mapd_projector_of_file(get(), out...); });
   }
-  /// As `try_nearest_lane`, from a place on Earth through a projector of this map.
-  Result<std::optional<Nearest>> try_nearest_lane_geodetic(const Projector& projector, Geodetic place, bool has_altitude,
-                                                           const NearestOptions& options = {}) const {
-    const mapd_nearest_options own = options.c();
-    return detail::optional<Nearest>([&](auto... out) {
-      return mapd_nearest_lane_geodetic(get(), projector.get(), place, has_altitude ? 1 : 0, &own, out...);
-    });
-  }
 #if MAPD_EXCEPTIONS
   Projector projector() const { return try_projector().value(); }
   Projector file_projector() const { return try_file_projector().value(); }
-  std::optional<Nearest> nearest_lane_geodetic(const Projector& projector, Geodetic place, bool has_altitude,
-                                               const NearestOptions& options = {}) const {
-    return try_nearest_lane_geodetic(projector, place, has_altitude, options).value();
-  }
 #endif
 
  private:

@@ -64,7 +64,7 @@ pub unsafe extern "C" fn mapd_path_along_of(
     unsafe { answer(error, || put_some(out, path_of(path)?.along_of(lane.into(), s))) }
 }
 
-/// 1 where some joint is broken: a gap of more than 0.1 m or a kink of more than 0.3 rad.
+/// Whether some joint is broken, 1 or 0: a gap of more than 0.1 m or a kink of more than 0.3 rad.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_path_is_broken(
     path: *const mapd_path,

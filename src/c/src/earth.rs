@@ -203,6 +203,7 @@ pub unsafe extern "C" fn mapd_from_enu_batch(
 }
 
 /// As `mapd_nearest_lane`, from a place on Earth through a projector of this map. The altitude counts where `has_altitude` is not 0.
+/// `MAPD_CODE_NONE` if no lane is within the radius.
 ///
 /// Errors: as `mapd_from_geodetic`.
 #[unsafe(no_mangle)]

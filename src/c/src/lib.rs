@@ -1,4 +1,4 @@
-//! mapd for C and C++ (`include/mapd.h`, made from these sources, and `include/mapd.hpp`, written by hand on top of it).
+//! mapd for C and C++ (`include/mapd.h` and `include/mapd/queries.hpp`, made from these sources, and `include/mapd.hpp` around them).
 //!
 //! Every function that can fail returns a [`mapd_code`] and takes an optional [`mapd_error`] of the caller's for the message. Handles
 //! are opaque; a caller that gets one closes it with the function that takes its address and sets it to null. Results are plain data. Lists

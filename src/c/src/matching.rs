@@ -370,7 +370,7 @@ pub unsafe extern "C" fn mapd_match_pose_batch(
     }
 }
 
-/// The lanes of a trace: the most probable way through all its fixes. `out` has room for `fix_count` answers, one for each fix. `options`: null
+/// The lanes of a trace: the most probable way through all its fixes. `out` has room for `count` answers, one for each fix. `options`: null
 /// is the default.
 ///
 /// Errors: `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for times that fall and for options out of their domain.
@@ -378,7 +378,7 @@ pub unsafe extern "C" fn mapd_match_pose_batch(
 pub unsafe extern "C" fn mapd_match_trace(
     snapshot: *const mapd_snapshot,
     fixes: *const mapd_trace_fix,
-    fix_count: usize,
+    count: usize,
     options: *const mapd_trace_options,
     scratch: *mut mapd_scratch,
     out: *mut mapd_trace_match,
@@ -398,10 +398,10 @@ pub unsafe extern "C" fn mapd_match_trace(
                 },
             };
             own.clear();
-            own.extend(entries(fixes, fix_count, "the fixes")?.iter().map(|f| TraceFix::from(*f)));
+            own.extend(entries(fixes, count, "the fixes")?.iter().map(|f| TraceFix::from(*f)));
             map_of(snapshot)?.match_trace(own, &options, trace, traced)?;
-            let mut count = 0;
-            List { out, capacity: fix_count, count: &mut count }
+            let mut written = 0;
+            List { out, capacity: count, count: &mut written }
                 .write(traced.iter().map(mapd_trace_match::from))
         })
     }

@@ -58,6 +58,21 @@ int main(int argc, char** argv) {
   CHECK(hit && *hit);
   if (!hit || !*hit) return 1;
   const mapd::LaneId lane = (*hit)->lane;
+
+  // A list into a vector of the caller's: its memory grows where it must, then stays, and C is asked once.
+  {
+    const auto all = map.try_lanes();
+    CHECK(all && all->size() > 16);
+    std::vector<mapd::LaneId> lanes;
+    CHECK(map.try_lanes(lanes).code == MAPD_CODE_OK && all && lanes == *all);
+    const mapd::LaneId* memory = lanes.data();
+    CHECK(map.try_successors(lane, lanes).code == MAPD_CODE_OK && lanes.size() < 16 && lanes.data() == memory);
+    CHECK(map.try_lanes(lanes).code == MAPD_CODE_OK && all && lanes == *all && lanes.data() == memory);
+    int asked = 0;
+    const auto counted = [&](auto... rest) { return ++asked, mapd_lanes(map.get(), rest...); };
+    CHECK(mapd::detail::list_into(lanes, counted).code == MAPD_CODE_OK && asked == 1);
+    CHECK(map.try_successors({}, lanes).code == MAPD_CODE_FOREIGN_ID && lanes.empty());
+  }
   CHECK(map.try_nearest_lane({NAN, 0.0}).code() == MAPD_CODE_NOT_FINITE);
   CHECK(map.try_nearest_lane({1e9, 1e9}) && !*map.try_nearest_lane({1e9, 1e9}));
   CHECK((*other).try_lane(lane).code() == MAPD_CODE_FOREIGN_ID);

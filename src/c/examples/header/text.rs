@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 /// Sources in the order in which they stand in the header.
-const SOURCES: &[&str] = &[
+pub(crate) const SOURCES: &[&str] = &[
     "code",
     "text",
     "ids",

@@ -381,6 +381,50 @@ Result<std::vector<T>> list(F call) {
   return (*std::move(found)).value_or(std::vector<T>());
 }
 
+/// As `list`, into the caller's vector: asks once if its memory suffices.
+template <class T, class F>
+Error list_into(std::vector<T>& out, F call) {
+  mapd_error error;
+  out.resize(out.capacity() > 16 ? out.capacity() : 16);
+  for (;;) {
+    std::size_t count = 0;
+    const mapd_code code = call(out.data(), out.size(), &count, &error);
+    if (code != MAPD_CODE_OK && code != MAPD_CODE_TOO_SMALL && code != MAPD_CODE_NONE) {
+      out.clear();
+      return failed(code, error);
+    }
+    out.resize(count);
+    if (code != MAPD_CODE_TOO_SMALL) return {};
+  }
+}
+
+/// An answer that is yes or no.
+template <class F>
+Result<bool> yes(F call) {
+  const auto found = value<std::uint8_t>(call);
+  if (!found) return found.error();
+  return *found != 0;
+}
+
+/// A text that an answer points to.
+template <class F>
+Result<std::string_view> text(F call) {
+  const auto found = value<mapd_text>(call);
+  if (!found) return found.error();
+  return view(*found);
+}
+
+/// A text that an answer points to, if there is one.
+template <class F>
+Result<std::optional<std::string_view>> optional_text(F call) {
+  const auto found = optional<mapd_text>(call);
+  if (!found) return found.error();
+  return *found ? std::optional(view(**found)) : std::nullopt;
+}
+
+/// Yes or no as C has it.
+constexpr std::uint8_t byte(bool is) noexcept { return is ? 1 : 0; }
+
 /// What a batch came to: nothing, or why it failed.
 template <class Q, class A, class F>
 Error batch(span<Q> questions, span<A> answers, F call) {
@@ -390,12 +434,12 @@ Error batch(span<Q> questions, span<A> answers, F call) {
   return code == MAPD_CODE_OK ? Error{} : failed(code, error);
 }
 
-/// A route and its steps, if there is one.
+/// A route and its steps, if there is one. Searching twice costs more than room for most routes.
 template <class R, class F>
 Result<std::optional<R>> route(F call) {
   R out;
   mapd_error error;
-  out.steps.resize(64);
+  out.steps.resize(512);
   for (;;) {
     std::size_t count = 0;
     const mapd_code code = call(&out.sum, out.steps.data(), out.steps.size(), &count, &error);
@@ -525,52 +569,6 @@ struct Rebased {
 struct Outline {
   std::vector<Vec2> points;
   bool is_simple = false;
-};
-
-/// Converts between a map's inertial frame and WGS 84.
-class Projector : public detail::Owner<mapd_projector, mapd_projector_close> {
- public:
-  using Owner::Owner;
-
-  /// Where a point of the map lies on Earth.
-  Result<Geodetic> try_to_geodetic(Vec3 point) const {
-    return detail::value<Geodetic>([&](auto... out) { return mapd_to_geodetic(get(), point, out...); });
-  }
-  /// Where many points lie on Earth; of an error the answers before its point are written. `out` has as many entries as `points`.
-  Error try_to_geodetic(span<const Vec3> points, span<Geodetic> out) const {
-    return detail::batch(points, out, [&](auto... rest) { return mapd_to_geodetic_batch(get(), rest...); });
-  }
-  /// The point of the map at a place on Earth.
-  Result<Vec3> try_from_geodetic(Geodetic place) const {
-    return detail::value<Vec3>([&](auto... out) { return mapd_from_geodetic(get(), place, out...); });
-  }
-  /// The points at many places on Earth; of an error the answers before its place are written. `out` has as many entries as `places`.
-  Error try_from_geodetic(span<const Geodetic> places, span<Vec3> out) const {
-    return detail::batch(places, out, [&](auto... rest) { return mapd_from_geodetic_batch(get(), rest...); });
-  }
-  /// Heading of true north at points of the map [rad], counter-clockwise from x. `out` has as many entries as `points`.
-  Error try_north_at(span<const Vec3> points, span<double> out) const {
-    return detail::batch(points, out, [&](auto... rest) { return mapd_north_at_batch(get(), rest...); });
-  }
-  /// East, north and up [m] of points of the map, from a point of the map. `out` has as many entries as `points`.
-  Error try_to_enu(Vec3 origin, span<const Vec3> points, span<Vec3> out) const {
-    return detail::batch(points, out, [&](auto... rest) { return mapd_to_enu_batch(get(), origin, rest...); });
-  }
-  /// The points of the map at easts, norths and ups [m] from a point of the map. `out` has as many entries as `places`.
-  Error try_from_enu(Vec3 origin, span<const Vec3> places, span<Vec3> out) const {
-    return detail::batch(places, out, [&](auto... rest) { return mapd_from_enu_batch(get(), origin, rest...); });
-  }
-#if MAPD_EXCEPTIONS
-  Geodetic to_geodetic(Vec3 point) const { return try_to_geodetic(point).value(); }
-  void to_geodetic(span<const Vec3> points, span<Geodetic> out) const { detail::must(try_to_geodetic(points, out)); }
-  Vec3 from_geodetic(Geodetic place) const { return try_from_geodetic(place).value(); }
-  void from_geodetic(span<const Geodetic> places, span<Vec3> out) const { detail::must(try_from_geodetic(places, out)); }
-  void north_at(span<const Vec3> points, span<double> out) const { detail::must(try_north_at(points, out)); }
-  void to_enu(Vec3 origin, span<const Vec3> points, span<Vec3> out) const { detail::must(try_to_enu(origin, points, out)); }
-  void from_enu(Vec3 origin, span<const Vec3> places, span<Vec3> out) const {
-    detail::must(try_from_enu(origin, places, out));
-  }
-#endif
 };
 
 }  // namespace mapd
