@@ -135,7 +135,18 @@ pub struct Words {
     pub name: String,
     pub schema: String,
     pub doc: String,
+    #[serde(default)]
+    pub synonyms: Vec<Synonym>,
     pub words: Vec<Word>,
+}
+
+/// Another spelling of a word, in any case.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(missing_docs)]
+pub struct Synonym {
+    pub written: String,
+    pub word: String,
 }
 
 /// A word of an enumeration.

@@ -60,6 +60,10 @@ fn list(words: &Words) -> String {
         }
         out += ",\n";
     }
+    out += "],\nsynonyms: &[";
+    for one in &words.synonyms {
+        let _ = write!(out, "({:?}, {:?}), ", one.written, one.word);
+    }
     out += "],\n};\n";
     out
 }

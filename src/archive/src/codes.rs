@@ -122,6 +122,8 @@ codes! {
         NoLimit = 2, "no limit";
         /// Undefined.
         Undefined = 3, "undefined";
+        /// A limit that is stated and unknown: negative, in no unit of speed, or without a number.
+        Unreadable = 4, "unreadable";
     }
 }
 

@@ -20,6 +20,8 @@ pub mod signal_values {
     pub const MEANT: u8 = 2;
     /// The unit of that value is not written: it is that of the table that maps the sign, or the SI unit.
     pub const UNIT_ASSUMED: u8 = 4;
+    /// The class is about a speed, and the stated unit is none of speed: the speed is unknown.
+    pub const UNREADABLE: u8 = 8;
 }
 
 codes! {

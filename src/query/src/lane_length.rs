@@ -20,11 +20,12 @@ pub fn travel_speed(limit: f64) -> f64 {
     mapd_geometry::clamp(limit, LOWEST_SPEED, UNLIMITED_SPEED)
 }
 
-/// The limit that a record says `[m/s]`; none where it says none.
-fn limit(kind: SpeedKind, value: f64) -> Option<f64> {
+/// The limit that a record states `[m/s]`, infinite for `no limit`, none within if it is stated and unknown; none at all where the record states none.
+pub(crate) fn stated(kind: SpeedKind, value: f64) -> Option<Option<f64>> {
     match kind {
-        SpeedKind::Value => Some(value),
-        SpeedKind::NoLimit => Some(f64::INFINITY),
+        SpeedKind::Value => Some(Some(value)),
+        SpeedKind::NoLimit => Some(Some(f64::INFINITY)),
+        SpeedKind::Unreadable => Some(None),
         _ => None,
     }
 }
@@ -302,16 +303,16 @@ impl<'a> Lane<'a> {
         let (mut time, mut last) = (0.0, from);
         loop {
             while let Some(record) = own.next_if(|record| record.s <= last) {
-                own_limit = limit(record.kind, record.max);
+                own_limit = stated(record.kind, record.max);
             }
             while let Some(record) = of_road.next_if(|record| record.s <= last) {
-                limit_of_road = limit(record.speed_kind, record.speed);
+                limit_of_road = stated(record.speed_kind, record.speed);
             }
             let changes =
                 [own.peek().map(|record| record.s), of_road.peek().map(|record| record.s)];
             let changes = changes.into_iter().flatten();
             let next = changes.filter(|s| *s > last && *s < to).fold(to, f64::min);
-            let speed = own_limit.or(limit_of_road).unwrap_or(ASSUMED_SPEED);
+            let speed = own_limit.or(limit_of_road).flatten().unwrap_or(ASSUMED_SPEED);
             time += length(last, next) / travel_speed(speed);
             if next >= to {
                 return time;
@@ -321,17 +322,18 @@ impl<'a> Lane<'a> {
     }
 
     /// Speed limit at s `[m/s]`: the lane's own record, else that of the road's type (OpenDRIVE 1.8.1, 11.8.2, 10.4).
-    /// Infinite where the file says `no limit`; none where it says nothing, and for an s that is not finite. Signals are not
-    /// looked at.
+    /// Infinite where the file says `no limit`; none where it says nothing or states a limit that cannot be read, and for an s that is not finite.
+    /// Signals are not looked at.
     pub fn speed_limit_at(&self, s: f64) -> Option<f64> {
         if !s.is_finite() {
             return None;
         }
         let own = self.speeds().take_while(|record| record.s <= s).last();
-        let own = own.and_then(|record| limit(record.kind, record.max));
-        own.or_else(|| {
+        let own = own.and_then(|record| stated(record.kind, record.max));
+        let of_road = || {
             let of_road = self.road.types().take_while(|record| record.s <= s).last();
-            of_road.and_then(|record| limit(record.speed_kind, record.speed))
-        })
+            of_road.and_then(|record| stated(record.speed_kind, record.speed))
+        };
+        own.or_else(of_road).flatten()
     }
 }

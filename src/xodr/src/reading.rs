@@ -354,6 +354,11 @@ impl Cursor<'_> {
             }
             return Some(Some(rank));
         }
+        let synonym = list.synonyms.iter().find(|(own, _)| own.eq_ignore_ascii_case(trimmed));
+        if let Some((_, word)) = synonym {
+            self.about(rule_ids::LEXICAL, Severity::Warning, word, "; read as that");
+            return Some(list.words.iter().position(|own| own.text == *word));
+        }
         if !self.is_loose() {
             let known = list.words.iter().filter(|w| w.versions & alike(self.version as u8) != 0);
             let known: Vec<&str> = known.map(|word| word.text).collect();

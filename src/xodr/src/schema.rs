@@ -127,6 +127,8 @@ pub(crate) struct WordList {
     /// Name of the enumeration in the standard's schema.
     pub(crate) name: &'static str,
     pub(crate) words: &'static [Word],
+    /// Other spellings, in any case, each with the word that it can only mean.
+    pub(crate) synonyms: &'static [(&'static str, &'static str)],
 }
 
 /// An attribute as the schema describes it.

@@ -1,9 +1,10 @@
 //! Which speed limit holds, and who says so; signals that say themselves what they mean.
 
+use mapd_compiler::Compilation;
 use mapd_query::rules::SpeedOrigin;
 use mapd_query::vocabulary::{Class, VehicleClass};
 use mapd_tests::maps::found;
-use mapd_tests::object_maps::{ObjectRoad, PLAIN, document, open};
+use mapd_tests::object_maps::{ObjectRoad, PLAIN, compile, document, open};
 
 const KMH: f64 = 1.0 / 3.6;
 
@@ -104,6 +105,88 @@ fn no_limit_is_a_rule_and_undefined_is_none() {
     of(&road("no limit"), (5.0, Some(f64::INFINITY), RoadType));
     of(&road("undefined"), (5.0, Some(50.0 * KMH), ByDefault));
     of(&road("60"), (5.0, Some(60.0 * KMH), RoadType));
+}
+
+fn count(compiled: &Compilation, rule: &str) -> usize {
+    compiled.diagnostics.iter().filter(|one| one.finding.rule == rule).count()
+}
+
+/// Units that can only mean one are read as it; what cannot be read is unknown, whatever else holds on the road. Each with the rule that tells of it.
+#[test]
+fn a_limit_that_cannot_be_read_is_unknown() {
+    const LEXICAL: &str = "mapd:value.lexical";
+    const UNKNOWN: &str = "mapd:compile.speed_limit";
+    const IMPLAUSIBLE: &str = "mapd:compile.speed_plausible";
+    let of = |attributes: &str, max: Option<f64>, told: Option<&str>| {
+        let (lane, road) = match max {
+            Some(_) => (SpeedOrigin::Lane, SpeedOrigin::RoadType),
+            None => (Nobody, Nobody),
+        };
+        let record = format!(r#"<speed sOffset="20" {attributes}/>"#);
+        let fifty = r#"<type s="0" type="town"><speed max="50" unit="km/h"/></type>"#;
+        let on_lane = Rules { regulations: TOWN, types: fifty, lane: &record, ..Rules::default() };
+        check(&on_lane, -1, &[(10.0, Some(50.0 * KMH), RoadType), (30.0, max, lane)]);
+        let types = format!(r#"<type s="0" type="town"><speed {attributes}/></type>"#);
+        let on_road = Rules { regulations: TOWN, types: &types, ..Rules::default() };
+        check(&on_road, -1, &[(10.0, max, road)]);
+        check(&on_road, 1, &[(10.0, max, road)]);
+        for rules in [on_lane, on_road] {
+            let compiled = compile(&map(&rules));
+            let rules = [LEXICAL, UNKNOWN, IMPLAUSIBLE];
+            let counts = rules.map(|rule| count(&compiled, rule));
+            let expected = rules.map(|rule| usize::from(told == Some(rule)));
+            assert_eq!(counts, expected, "{attributes}: {:?}", compiled.diagnostics);
+        }
+    };
+    for unit in ["kph", "KM/H", "kmh", "Kmh", " KPH "] {
+        of(&format!(r#"max="50" unit="{unit}""#), Some(50.0 * KMH), Some(LEXICAL));
+    }
+    of(r#"max="50" unit="Mph""#, Some(50.0 * 0.44704), Some(LEXICAL));
+    of(r#"max="30" unit="M/S""#, Some(30.0), Some(LEXICAL));
+    for stated in [
+        r#"max="50" unit="knots""#,
+        r#"max="50" unit="km""#,
+        r#"max="-1" unit="km/h""#,
+        r#"max="-0.5""#,
+        r#"max="fast" unit="km/h""#,
+        r#"unit="km/h""#,
+    ] {
+        of(stated, None, Some(UNKNOWN));
+    }
+    of(r#"max="40""#, Some(40.0), None);
+    of(r#"max="0" unit="km/h""#, Some(0.0), None);
+    of(r#"max="50""#, Some(50.0), Some(IMPLAUSIBLE));
+    of(r#"max="400" unit="km/h""#, Some(400.0 / 3.6), None);
+    of(r#"max="250" unit="mph""#, Some(250.0 * 0.44704), Some(IMPLAUSIBLE));
+}
+
+/// A sign of a limit in a unit that cannot be read ends what held before, and what holds behind is unknown.
+#[test]
+fn a_sign_in_an_unknown_unit_leaves_the_limit_unknown() {
+    let de = |value: &str| format!(r#"country="DE" type="274" subtype="-1" {value}"#);
+    let semantics = r#"<semantics><speed type="maximum" value="30" unit="knots"/></semantics>"#;
+    let fifty = r#"<type s="0" type="town"><speed max="50" unit="km/h"/></type>"#;
+    for (kind, inside, max) in [
+        (de(r#"value="30" unit="kph""#), "", Some(30.0 * KMH)),
+        (de(r#"value="30" unit="MPH""#), "", Some(30.0 * 0.44704)),
+        (de(r#"value="30" unit="knots""#), "", None),
+        (de(r#"value="30" unit="t""#), "", None),
+        (r#"type="none" subtype="-1""#.to_owned(), semantics, None),
+        // The number is a code of the country's, which has its unit.
+        (
+            r#"country="DE" type="274" subtype="53" value="-1" unit="knots""#.to_owned(),
+            "",
+            Some(30.0 * KMH),
+        ),
+    ] {
+        let signals = sign("V", 20.0, &kind, inside);
+        let rules = Rules { types: fifty, signals: &signals, ..Rules::default() };
+        let origin = if max.is_some() { Signal } else { Nobody };
+        check(&rules, -1, &[(10.0, Some(50.0 * KMH), RoadType), (30.0, max, origin)]);
+        let compiled = compile(&map(&rules));
+        let told = count(&compiled, "mapd:compile.speed_limit");
+        assert_eq!(told, usize::from(max.is_none()), "{kind} {inside}");
+    }
 }
 
 #[test]

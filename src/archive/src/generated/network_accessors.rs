@@ -489,7 +489,7 @@ impl ArchivedRoadTypeRow {
     pub fn kind(&self) -> u8 {
         self.kind
     }
-    /// 0 none, 1 value, 2 no limit, 3 undefined.
+    /// 0 none, 1 value, 2 no limit, 3 undefined, 4 stated and unknown.
     #[inline]
     pub fn speed_kind(&self) -> u8 {
         self.speed_kind
@@ -704,7 +704,7 @@ impl ArchivedLaneSpeedRow {
     pub fn lane(&self) -> u32 {
         self.lane.to_native()
     }
-    /// 1 value, 2 no limit, 3 undefined.
+    /// 1 value, 2 no limit, 3 undefined, 4 stated and unknown.
     #[inline]
     pub fn kind(&self) -> u32 {
         self.kind.to_native()

@@ -252,7 +252,7 @@ pub struct RoadTypeRow {
     pub country: u32,
     /// Road type code.
     pub kind: u8,
-    /// 0 none, 1 value, 2 no limit, 3 undefined.
+    /// 0 none, 1 value, 2 no limit, 3 undefined, 4 stated and unknown.
     pub speed_kind: u8,
     /// 0.
     pub reserved: [u8; 2],
@@ -378,7 +378,7 @@ pub struct LaneSpeedRow {
     pub max: f64,
     /// The lane.
     pub lane: u32,
-    /// 1 value, 2 no limit, 3 undefined.
+    /// 1 value, 2 no limit, 3 undefined, 4 stated and unknown.
     pub kind: u32,
 }
 const _: () = assert!(size_of::<LaneSpeedRow>() == 24 && size_of::<ArchivedLaneSpeedRow>() == 24);

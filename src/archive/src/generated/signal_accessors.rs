@@ -200,7 +200,7 @@ impl ArchivedSignalRow {
     pub fn arrows(&self) -> u8 {
         self.arrows
     }
-    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: the country's table or the SI defines it.
+    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: the country's table or the SI defines it, 8 the class is a speed limit whose stated unit is none of speed.
     #[inline]
     pub fn has_value(&self) -> u8 {
         self.has_value

@@ -88,7 +88,7 @@ pub struct SignalRow {
     pub phases: u8,
     /// Movements that a light is for, 0 all: 1 left, 2 straight, 4 right, 8 back.
     pub arrows: u8,
-    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: the country's table or the SI defines it.
+    /// 1 a value is written, 2 the class has a value, 4 the unit of that value is not written: the country's table or the SI defines it, 8 the class is a speed limit whose stated unit is none of speed.
     pub has_value: u8,
     /// 1 temporary, 2 invalidated (1.9), 4 s was moved to the road's end.
     pub flags: u8,

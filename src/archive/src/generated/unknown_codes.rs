@@ -11,7 +11,7 @@ impl Tables<'_> {
             found.note("map", "geo_reference_form", i, row.geo_reference_form(), 7);
         }
         for (i, row) in self.road_types.iter().enumerate() {
-            found.note("road_types", "speed_kind", i, row.speed_kind(), 4);
+            found.note("road_types", "speed_kind", i, row.speed_kind(), 5);
         }
         for (i, row) in self.junctions.iter().enumerate() {
             found.note("junctions", "kind", i, row.kind(), 4);

@@ -25,7 +25,7 @@ use crate::draft::{Draft, StatedGeoreference, between};
 use crate::findings::finding;
 use mapd_archive::{
     ContactPoint, JunctionRow, LaneLayerRow, LinkKind, MapRow, NONE, Range, RoadRow, RoadType,
-    RoadTypeRow,
+    RoadTypeRow, SpeedKind,
 };
 use mapd_rules::catalog::building;
 use mapd_rules::line::ReferenceLine;
@@ -59,7 +59,7 @@ impl Draft {
         row.rev_major = revision(header.rev_major.value());
         row.rev_minor = revision(header.rev_minor.value());
         self.map = Some(row);
-        self.default_speeds(header);
+        self.default_speeds(header, findings);
     }
 
     /// Appends a road. Its links are resolved later, from the network; whatever makes it unusable is an error finding.
@@ -198,9 +198,10 @@ impl Draft {
                 findings,
             };
             let Some(s) = surface::place(record.s.value(), "s", &mut part) else { continue };
-            let stated = record.speed.as_deref();
-            let max = stated.and_then(|speed| speed.max.value());
-            let (kind, speed) = speed(max, stated.and_then(|speed| speed.unit.value()));
+            let (kind, speed) = match record.speed.as_deref() {
+                Some(stated) => speed(stated.max.value(), stated.unit.value(), &mut part),
+                None => (SpeedKind::None, 0.0),
+            };
             let word = record.r#type.value().map_or("", xodr::RoadType::name);
             self.rows.road_types.push(RoadTypeRow {
                 s,

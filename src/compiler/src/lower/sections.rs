@@ -351,7 +351,7 @@ impl Draft {
             let mut part = ElementContext { span: record.span, path, findings };
             let s = place(record.s_offset.value(), "sOffset", &mut part);
             let Some(s) = s else { continue };
-            let (kind, max) = speed(record.max.value(), record.unit.value());
+            let (kind, max) = speed(record.max.value(), record.unit.value(), &mut part);
             self.rows.lane_speeds.push(LaneSpeedRow {
                 s: section_s + s,
                 max,

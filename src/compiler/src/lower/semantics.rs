@@ -1,5 +1,6 @@
 //! What a signal says itself that it means (OpenDRIVE 1.8.1, 14.5).
 
+use super::speeds::is_of_speed;
 use mapd_ontology::{Meaning, Ontology};
 use mapd_xodr::{self as xodr, Semantics, Value as _};
 
@@ -12,11 +13,14 @@ pub(super) struct SemanticsEntry {
     pub(super) kind: &'static str,
     pub(super) value: Option<f64>,
     pub(super) unit: &'static str,
+    /// Whether it states a speed in what is no unit of speed.
+    pub(super) is_unreadable: bool,
 }
 
 impl SemanticsEntry {
     pub(super) fn meaning(&self, ontology: &Ontology) -> Meaning {
-        ontology.semantics(self.element, self.kind, self.value, self.unit)
+        let value = self.value.filter(|_| !self.is_unreadable);
+        ontology.semantics(self.element, self.kind, value, self.unit)
     }
 }
 
@@ -28,11 +32,13 @@ pub(super) fn meant(semantics: &Semantics) -> Vec<SemanticsEntry> {
         let old_kind = speed.type_element.as_ref().and_then(|e| e.content.value());
         let old_unit = speed.unit_element.as_ref().and_then(|e| e.content.value());
         let old_value = speed.value_element.as_ref().and_then(|e| e.content.value());
+        let unit = speed.unit.value().or(old_unit).map(xodr::UnitSpeed::name);
         SemanticsEntry {
             element: "speed",
             kind: speed.r#type.value().or(old_kind).map_or("", xodr::SpeedSemanticsKind::name),
             value: speed.value.value().or(old_value),
-            unit: speed.unit.value().or(old_unit).map_or("", xodr::UnitSpeed::name),
+            unit: unit.unwrap_or_default(),
+            is_unreadable: !is_of_speed(unit),
         }
     }));
     let kind = |element, kind| SemanticsEntry { element, kind, ..SemanticsEntry::default() };
@@ -62,13 +68,14 @@ pub(super) fn meant(semantics: &Semantics) -> Vec<SemanticsEntry> {
         element: "supplementaryTime",
         kind: one.r#type.value().map_or("", xodr::TimeSemanticsType::name),
         value: one.value.value(),
-        unit: "",
+        ..SemanticsEntry::default()
     }));
     out.extend(semantics.supplementary_distance.iter().map(|one| SemanticsEntry {
         element: "supplementaryDistance",
         kind: one.r#type.value().map_or("", xodr::DistanceSemanticsType::name),
         value: one.value.value(),
         unit: one.unit.value().map_or("", xodr::UnitDistance::name),
+        is_unreadable: false,
     }));
     out.extend(semantics.supplementary_environment.iter().map(|one| {
         let name = one.r#type.value().map_or("", xodr::EnvironmentSemanticsType::name);

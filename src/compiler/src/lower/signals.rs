@@ -1,6 +1,7 @@
 //! Signals, controllers and groups as written.
 
 use super::semantics::{SemanticsEntry, meant};
+use super::speeds::{self, is_of_speed};
 use super::{ElementContext, ElementPath, assumed_unit, lanes, orientation};
 use crate::draft::{Draft, Position, SignalReference, WrittenSignal, between};
 use mapd_archive::{
@@ -8,7 +9,7 @@ use mapd_archive::{
     NONE, SignalBoardRow, SignalDependencyRow, SignalLinkRow, SignalRow, SignalSemanticsRow,
     signal_flags, signal_values,
 };
-use mapd_ontology::{Meaning, SignalCode};
+use mapd_ontology::{ClassGroup, Meaning, SignalCode};
 use mapd_xodr::{
     self as xodr, BoardSign, Controller, Finding, LaneValidity, Road, Span, Text as _, Value as _,
     VmsGroup,
@@ -22,6 +23,7 @@ struct Common<'a> {
     span: Span,
     texts: [&'a str; 8],
     value: Option<f64>,
+    unit: Option<xodr::Unit>,
     size: [Option<f64>; 3],
     angles: [Option<f64>; 3],
     orientation: Option<xodr::Orientation>,
@@ -54,6 +56,7 @@ macro_rules! common {
                 signal.unit.value().map_or("", xodr::Unit::name),
             ],
             value: signal.value.value(),
+            unit: signal.unit.value(),
             size: [signal.width.value(), signal.height.value(), signal.length.value()],
             angles: [signal.h_offset.value(), signal.pitch.value(), signal.roll.value()],
             orientation: signal.orientation.value(),
@@ -144,14 +147,17 @@ impl Draft {
         let [_, name, r#type, subtype, country, _, _, unit] = signal.texts;
         let code = SignalCode { country, r#type, subtype, name, value: signal.value, unit };
         let stated = signal.semantics.map(meant).unwrap_or_default();
-        let meaning = self.meaning(&code, &stated);
+        let (meaning, is_unreadable) = self.meaning(&code, signal.unit, &stated);
+        let mut own =
+            ElementContext { span: signal.span, path: part.path, findings: part.findings };
+        if is_unreadable {
+            speeds::unknown(speeds::NO_UNIT, &mut own);
+        }
+        speeds::sign(&meaning, &mut own);
         // Of a value that is written, a rule says that its unit is missing.
         let is_written = signal.value.is_some_and(|value| value > 0.0);
         if let Some(unit) = meaning.assumed_unit.filter(|_| !is_written) {
-            assumed_unit(
-                unit,
-                &mut ElementContext { span: signal.span, path: part.path, findings: part.findings },
-            );
+            assumed_unit(unit, &mut own);
         }
         let [id, name, r#type, subtype, country, country_revision, text, unit] =
             signal.texts.map(|text| self.strings.add(text));
@@ -182,7 +188,8 @@ impl Draft {
         (row.bulbs, row.phases, row.arrows) = (light.bulbs, light.phases, light.arrows);
         row.has_value = bit(signal.value.is_some(), signal_values::WRITTEN)
             | bit(meaning.value.is_some(), signal_values::MEANT)
-            | bit(meaning.assumed_unit.is_some(), signal_values::UNIT_ASSUMED);
+            | bit(meaning.assumed_unit.is_some(), signal_values::UNIT_ASSUMED)
+            | bit(is_unreadable, signal_values::UNREADABLE);
         row.flags = signal.flags;
         let position = position(signal, &mut |id| self.strings.add(id));
         if let Position::Inertial(place) = &position {
@@ -211,8 +218,32 @@ impl Draft {
         number
     }
 
+    /// What a signal means, and whether it is about a speed that it states in what is no unit of speed.
+    fn meaning(
+        &mut self,
+        code: &SignalCode<'_>,
+        unit: Option<xodr::Unit>,
+        stated: &[SemanticsEntry],
+    ) -> (Meaning, bool) {
+        let mut meaning = self.meaning_of(code, stated);
+        if meaning.class.group() != ClassGroup::Speed {
+            return (meaning, false);
+        }
+        let mut is_unreadable =
+            meaning.value.is_none() && stated.iter().any(|one| one.is_unreadable);
+        if !is_of_speed(unit.map(xodr::Unit::name)) {
+            meaning = self.meaning_of(&SignalCode { unit: "", ..*code }, stated);
+            // A number that is no code, beside a unit that cannot be its own.
+            if meaning.assumed_unit.is_some() {
+                meaning = Meaning { value: None, assumed_unit: None, ..meaning };
+                is_unreadable = true;
+            }
+        }
+        (meaning, is_unreadable)
+    }
+
     /// What a signal means: by its own words first, then by its code.
-    fn meaning(&mut self, code: &SignalCode<'_>, stated: &[SemanticsEntry]) -> Meaning {
+    fn meaning_of(&mut self, code: &SignalCode<'_>, stated: &[SemanticsEntry]) -> Meaning {
         let by_code = self.signals.meaning(code);
         let own = stated.iter().map(|one| one.meaning(&self.signals.ontology));
         match own.into_iter().find(|meaning| meaning.class != Class::Unknown) {

@@ -3,7 +3,7 @@
 use super::speed_signs::{SpeedSigns, Zone};
 use crate::ids::SignalId;
 use crate::lane::Lane;
-use mapd_archive::SpeedKind;
+use crate::lane_length::stated;
 
 /// Lanes of a junction that are followed back at most; a damaged archive might lead round in a circle.
 const MOST_PIECES: usize = 64;
@@ -73,7 +73,8 @@ const DEPENDS: SpeedRule = SpeedRule { max: None, origin: SpeedOrigin::Depends, 
 
 impl<'a> Lane<'a> {
     /// The speed limit at s: sign before lane before road type, in a junction then what came in with the vehicle, before the header's
-    /// regulations. s outside the lane's section counts as its nearer end; for one that is not finite nothing is known.
+    /// regulations. s outside the lane's section counts as its nearer end; for one that is not finite nothing is known, nor where the one that goes first
+    /// states a limit that cannot be read.
     ///
     /// A sign holds from its place on, in driving direction, until another sign ends or replaces it, over lanes that lead
     /// on alone; that of a zone until a sign ends it, junctions or not, and where lanes of different zones lead to a place the answer
@@ -162,21 +163,19 @@ impl<'a> Lane<'a> {
             (None, Zone::Depends) => return Some(DEPENDS),
         };
         if let Some(sign) = sign {
-            let (max, signal) = (sign.value(), Some(sign.signal_id()));
-            return Some(SpeedRule { max, origin: SpeedOrigin::Signal, signal });
+            return Some(rule(sign.value(), SpeedOrigin::Signal, Some(sign.signal_id())));
         }
-        let limit = |kind: SpeedKind, value: f64| match kind {
-            SpeedKind::Value => Some(value),
-            SpeedKind::NoLimit => Some(f64::INFINITY),
-            _ => None,
-        };
-        let rule = |max, origin| SpeedRule { max: Some(max), origin, signal: None };
         let own = self.speeds().take_while(|record| record.s <= s).last();
-        if let Some(max) = own.and_then(|record| limit(record.kind, record.max)) {
-            return Some(rule(max, SpeedOrigin::Lane));
+        if let Some(max) = own.and_then(|record| stated(record.kind, record.max)) {
+            return Some(rule(max, SpeedOrigin::Lane, None));
         }
         let of_road = self.road().types().take_while(|record| record.s <= s).last();
-        let max = of_road.and_then(|record| limit(record.speed_kind, record.speed))?;
-        Some(rule(max, SpeedOrigin::RoadType))
+        let max = of_road.and_then(|record| stated(record.speed_kind, record.speed))?;
+        Some(rule(max, SpeedOrigin::RoadType, None))
     }
+}
+
+/// A limit that somebody states; of one that cannot be read nothing is known.
+fn rule(max: Option<f64>, origin: SpeedOrigin, signal: Option<SignalId>) -> SpeedRule {
+    if max.is_some() { SpeedRule { max, origin, signal } } else { NOTHING }
 }

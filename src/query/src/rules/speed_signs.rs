@@ -94,7 +94,7 @@ impl<'a> Lane<'a> {
             if at > until || signal.is_invalidated() {
                 continue;
             }
-            let known = Some(signal).filter(|signal| signal.value().is_some());
+            let known = Some(signal).filter(|signal| signal.states_value());
             match signal.class() {
                 Class::SpeedLimit if known.is_some() => Last::note(&mut limit, at, known),
                 Class::EndOfSpeedLimit | Class::EndOfRestrictions => {

@@ -154,6 +154,11 @@ impl<'a> Signal<'a> {
         is_there.then(|| self.row.value())
     }
 
+    /// Whether it has a value, or states a speed that cannot be read.
+    pub(crate) fn states_value(&self) -> bool {
+        self.row.has_value() & (signal_values::MEANT | signal_values::UNREADABLE) != 0
+    }
+
     /// Whether the file does not write that value's unit: it is read in the unit of its country's table, or in SI units.
     pub fn is_unit_assumed(&self) -> bool {
         self.row.has_value() & signal_values::UNIT_ASSUMED != 0

@@ -209,6 +209,34 @@ pub const ASSUMED_UNIT: Rule = info(
     ],
 );
 
+/// A speed limit that is stated and unknown.
+pub const SPEED_LIMIT: Rule = warning(
+    "mapd:compile.speed_limit",
+    "A speed limit is a number that is not negative, in a unit of speed or in m/s without one; otherwise it is unknown.",
+    [
+        Lane(r#"<speed sOffset="0" max="50" unit="km/h"/>"#),
+        Lane(r#"<speed sOffset="0" max="50" unit="knots"/>"#),
+    ],
+);
+
+/// Largest limit without a unit that may be meant in m/s: 130 km/h are 36 m/s, and 50 without a unit is a town's limit in km/h.
+pub const MOST_WITHOUT_UNIT: Tolerance =
+    Tolerance { name: "speed limit without a unit", value: 40.0, unit: "m/s" };
+/// Largest limit of any road: no country has one, and the fastest cars hardly pass it.
+pub const MOST_SPEED: Tolerance =
+    Tolerance { name: "speed limit", value: 400.0 / 3.6, unit: "m/s" };
+
+/// A speed limit that no road has.
+pub const SPEED_PLAUSIBLE: Rule = warning(
+    "mapd:compile.speed_plausible",
+    "A speed limit is one that roads have: a larger one has the wrong unit or none.",
+    [
+        Lane(r#"<speed sOffset="0" max="50" unit="km/h"/>"#),
+        Lane(r#"<speed sOffset="0" max="50"/>"#),
+    ],
+)
+.within(&[MOST_WITHOUT_UNIT, MOST_SPEED]);
+
 /// An object far from all lanes.
 pub const OBJECT_LANE: Rule = info(
     "mapd:compile.object_lane",
@@ -479,6 +507,8 @@ pub(super) static RULES: &[&[Rule]] = &[&[
     OBJECT_PLACE,
     OBJECT_REPEAT,
     ASSUMED_UNIT,
+    SPEED_LIMIT,
+    SPEED_PLAUSIBLE,
     OBJECT_LANE,
     SIGNAL_LANES,
     ZONE_END,

@@ -23,6 +23,7 @@ pub(crate) static ACCESS_RESTRICTION_TYPE: WordList = WordList {
         word("trucks").only(from(V1_5)),
         word("HOV").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static BORDER_TYPE: WordList = WordList {
@@ -32,20 +33,23 @@ pub(crate) static BORDER_TYPE: WordList = WordList {
         word("curb").only(from(V1_5)),
         word("paint").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static BRIDGE_TYPE: WordList = WordList {
     name: "e_bridgeType",
     words: &[word("concrete"), word("steel"), word("brick"), word("wood")],
+    synonyms: &[],
 };
 
 pub(crate) static CONNECTION_TYPE: WordList = WordList {
     name: "e_connection_type",
     words: &[word("default").only(from(V1_5)), word("virtual").only(from(V1_5))],
+    synonyms: &[],
 };
 
 pub(crate) static CONTACT_POINT: WordList =
-    WordList { name: "e_contactPoint", words: &[word("start"), word("end")] };
+    WordList { name: "e_contactPoint", words: &[word("start"), word("end")], synonyms: &[] };
 
 pub(crate) static COUNTRY_CODE: WordList = WordList {
     name: "e_countryCode",
@@ -60,6 +64,7 @@ pub(crate) static COUNTRY_CODE: WordList = WordList {
         word("Switzerland").only(from(V1_5)),
         word("USA").only(from(V1_5)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static COUNTRY_CODE_DEPRECATED: WordList = WordList {
@@ -75,6 +80,7 @@ pub(crate) static COUNTRY_CODE_DEPRECATED: WordList = WordList {
         word("Switzerland").only(from(V1_5)),
         word("USA").only(from(V1_5)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static POST_PROCESSING: WordList = WordList {
@@ -85,6 +91,7 @@ pub(crate) static POST_PROCESSING: WordList = WordList {
         word("processed").only(from(V1_5)),
         word("fused").only(from(V1_5)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static RAW_DATA_SOURCE: WordList = WordList {
@@ -94,13 +101,14 @@ pub(crate) static RAW_DATA_SOURCE: WordList = WordList {
         word("cadaster").only(from(V1_5)),
         word("custom").only(from(V1_5)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static DIRECTION: WordList =
-    WordList { name: "e_direction", words: &[word("same"), word("opposite")] };
+    WordList { name: "e_direction", words: &[word("same"), word("opposite")], synonyms: &[] };
 
 pub(crate) static ELEMENT_DIR: WordList =
-    WordList { name: "e_elementDir", words: &[word("+"), word("-")] };
+    WordList { name: "e_elementDir", words: &[word("+"), word("-")], synonyms: &[] };
 
 pub(crate) static JUNCTION_GROUP_TYPE: WordList = WordList {
     name: "e_junctionGroup_type",
@@ -110,16 +118,19 @@ pub(crate) static JUNCTION_GROUP_TYPE: WordList = WordList {
         word("complexJunction").only(from(V1_8)),
         word("highwayInterchange").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static SEGMENT_TYPE: WordList = WordList {
     name: "e_junction_segment_type",
     words: &[word("joint").only(from(V1_8)), word("lane").only(from(V1_8))],
+    synonyms: &[],
 };
 
 pub(crate) static JUNCTION_CRG_MODE: WordList = WordList {
     name: "e_junction_surface_CRG_mode",
     words: &[word("global").only(between(V1_7, V1_7))],
+    synonyms: &[],
 };
 
 pub(crate) static JUNCTION_TYPE: WordList = WordList {
@@ -130,6 +141,7 @@ pub(crate) static JUNCTION_TYPE: WordList = WordList {
         word("direct").only(from(V1_7)),
         word("crossing").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static LANE_ADVISORY: WordList = WordList {
@@ -140,6 +152,7 @@ pub(crate) static LANE_ADVISORY: WordList = WordList {
         word("none").only(from(V1_8)),
         word("outer").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static LANE_TYPE: WordList = WordList {
@@ -177,6 +190,7 @@ pub(crate) static LANE_TYPE: WordList = WordList {
         word("walking").only(from(V1_8)),
         word("slipLane").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static LANE_DIRECTION: WordList = WordList {
@@ -186,16 +200,19 @@ pub(crate) static LANE_DIRECTION: WordList = WordList {
         word("reversed").only(from(V1_8)),
         word("standard").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static LAYER_TYPE: WordList = WordList {
     name: "e_layerType",
     words: &[word("temporary").only(from(V1_9)), word("permanent").only(from(V1_9))],
+    synonyms: &[],
 };
 
 pub(crate) static MAX_SPEED_STRING: WordList = WordList {
     name: "e_maxSpeedString",
     words: &[word("no limit").only(from(V1_5)), word("undefined").only(from(V1_5))],
+    synonyms: &[],
 };
 
 pub(crate) static OBJECT_TYPE: WordList = WordList {
@@ -230,10 +247,11 @@ pub(crate) static OBJECT_TYPE: WordList = WordList {
         word("roadMark").only(from(V1_6)),
         word("roadSurface").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static ORIENTATION: WordList =
-    WordList { name: "e_orientation", words: &[word("+"), word("-"), word("none")] };
+    WordList { name: "e_orientation", words: &[word("+"), word("-"), word("none")], synonyms: &[] };
 
 pub(crate) static OUTLINE_FILL_TYPE: WordList = WordList {
     name: "e_outlineFillType",
@@ -247,13 +265,20 @@ pub(crate) static OUTLINE_FILL_TYPE: WordList = WordList {
         word("soil").only(from(V1_5)),
         word("paint").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
-pub(crate) static PARAM_POLY3_RANGE: WordList =
-    WordList { name: "e_paramPoly3_pRange", words: &[word("arcLength"), word("normalized")] };
+pub(crate) static PARAM_POLY3_RANGE: WordList = WordList {
+    name: "e_paramPoly3_pRange",
+    words: &[word("arcLength"), word("normalized")],
+    synonyms: &[],
+};
 
-pub(crate) static PERSON_CATEGORY: WordList =
-    WordList { name: "e_personCategory", words: &[word("pedestrian").only(from(V1_9))] };
+pub(crate) static PERSON_CATEGORY: WordList = WordList {
+    name: "e_personCategory",
+    words: &[word("pedestrian").only(from(V1_9))],
+    synonyms: &[],
+};
 
 pub(crate) static ROAD_MARK_COLOR: WordList = WordList {
     name: "e_roadMarkColor",
@@ -268,11 +293,13 @@ pub(crate) static ROAD_MARK_COLOR: WordList = WordList {
         word("orange").only(from(V1_5)),
         word("violet").only(from(V1_7)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static ROAD_MARK_RULE: WordList = WordList {
     name: "e_roadMarkRule",
     words: &[word("no passing"), word("caution"), word("none")],
+    synonyms: &[],
 };
 
 pub(crate) static ROAD_MARK_TYPE: WordList = WordList {
@@ -291,10 +318,11 @@ pub(crate) static ROAD_MARK_TYPE: WordList = WordList {
         word("custom").only(from(V1_5)),
         word("edge").only(from(V1_5)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static ROAD_MARK_WEIGHT: WordList =
-    WordList { name: "e_roadMarkWeight", words: &[word("standard"), word("bold")] };
+    WordList { name: "e_roadMarkWeight", words: &[word("standard"), word("bold")], synonyms: &[] };
 
 pub(crate) static ROAD_TYPE: WordList = WordList {
     name: "e_roadType",
@@ -313,16 +341,19 @@ pub(crate) static ROAD_TYPE: WordList = WordList {
         word("townLocal").only(from(V1_5)),
         word("townPlayStreet").only(from(V1_5)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static LANE_CHANGE: WordList = WordList {
     name: "e_road_lanes_laneSection_lcr_lane_roadMark_laneChange",
     words: &[word("increase"), word("decrease"), word("both"), word("none")],
+    synonyms: &[],
 };
 
 pub(crate) static ACCESS_RULE: WordList = WordList {
     name: "e_road_lanes_laneSection_lr_lane_access_rule",
     words: &[word("allow").only(from(V1_5)), word("deny").only(from(V1_5))],
+    synonyms: &[],
 };
 
 pub(crate) static CROSSFALL_SIDE: WordList = WordList {
@@ -332,14 +363,19 @@ pub(crate) static CROSSFALL_SIDE: WordList = WordList {
         word("right").only(between(V1_4, V1_5)),
         word("both").only(between(V1_4, V1_5)),
     ],
+    synonyms: &[],
 };
 
-pub(crate) static ELEMENT_TYPE: WordList =
-    WordList { name: "e_road_link_elementType", words: &[word("road"), word("junction")] };
+pub(crate) static ELEMENT_TYPE: WordList = WordList {
+    name: "e_road_link_elementType",
+    words: &[word("road"), word("junction")],
+    synonyms: &[],
+};
 
 pub(crate) static NEIGHBOR_SIDE: WordList = WordList {
     name: "e_road_link_neighbor_side",
     words: &[word("left").only(between(V1_4, V1_5)), word("right").only(between(V1_4, V1_5))],
+    synonyms: &[],
 };
 
 pub(crate) static PARKING_SPACE_ACCESS: WordList = WordList {
@@ -354,11 +390,13 @@ pub(crate) static PARKING_SPACE_ACCESS: WordList = WordList {
         word("electric"),
         word("residents"),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static SWITCH_POSITION: WordList = WordList {
     name: "e_road_railroad_switch_position",
     words: &[word("dynamic"), word("straight"), word("turn")],
+    synonyms: &[],
 };
 
 pub(crate) static DISPLAY_TYPE: WordList = WordList {
@@ -371,20 +409,26 @@ pub(crate) static DISPLAY_TYPE: WordList = WordList {
         word("simpleMatrix").only(from(V1_8)),
         word("other").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static REFERENCE_ELEMENT_TYPE: WordList = WordList {
     name: "e_road_signals_signal_reference_elementType",
     words: &[word("object").only(from(V1_5)), word("signal").only(from(V1_5))],
+    synonyms: &[],
 };
 
 pub(crate) static CRG_MODE: WordList = WordList {
     name: "e_road_surface_CRG_mode",
     words: &[word("attached"), word("attached0"), word("genuine"), word("global").only(from(V1_5))],
+    synonyms: &[],
 };
 
-pub(crate) static CRG_PURPOSE: WordList =
-    WordList { name: "e_road_surface_CRG_purpose", words: &[word("elevation"), word("friction")] };
+pub(crate) static CRG_PURPOSE: WordList = WordList {
+    name: "e_road_surface_CRG_purpose",
+    words: &[word("elevation"), word("friction")],
+    synonyms: &[],
+};
 
 pub(crate) static SIDE_TYPE: WordList = WordList {
     name: "e_sideType",
@@ -394,6 +438,7 @@ pub(crate) static SIDE_TYPE: WordList = WordList {
         word("front").only(from(V1_5)),
         word("rear").only(from(V1_5)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static LANE_SEMANTICS_TYPE: WordList = WordList {
@@ -408,6 +453,7 @@ pub(crate) static LANE_SEMANTICS_TYPE: WordList = WordList {
         word("yieldForOncoming").only(from(V1_8)),
         word("other").only(from(V1_9)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static PRIORITY_SEMANTICS_TYPE: WordList = WordList {
@@ -427,6 +473,7 @@ pub(crate) static PRIORITY_SEMANTICS_TYPE: WordList = WordList {
         word("waitingLine").only(from(V1_8)),
         word("yield").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static SPEED_SEMANTICS_KIND: WordList = WordList {
@@ -441,11 +488,13 @@ pub(crate) static SPEED_SEMANTICS_KIND: WordList = WordList {
         word("zone").only(from(V1_8)),
         word("zoneEnd").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static DISTANCE_SEMANTICS_TYPE: WordList = WordList {
     name: "e_signals_semantics_supplementaryDistance",
     words: &[word("for").only(from(V1_8)), word("in").only(from(V1_8))],
+    synonyms: &[],
 };
 
 pub(crate) static ENVIRONMENT_SEMANTICS_TYPE: WordList = WordList {
@@ -455,33 +504,41 @@ pub(crate) static ENVIRONMENT_SEMANTICS_TYPE: WordList = WordList {
         word("rain").only(from(V1_8)),
         word("snow").only(from(V1_8)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static TIME_SEMANTICS_TYPE: WordList = WordList {
     name: "e_signals_semantics_supplementaryTime",
     words: &[word("day").only(from(V1_8)), word("time").only(from(V1_8))],
+    synonyms: &[],
 };
 
 pub(crate) static PLATFORM_SIDE: WordList = WordList {
     name: "e_station_platform_segment_side",
     words: &[word("left").only(from(V1_5)), word("right").only(from(V1_5))],
+    synonyms: &[],
 };
 
-pub(crate) static STATION_TYPE: WordList =
-    WordList { name: "e_station_type", words: &[word("small"), word("medium"), word("large")] };
+pub(crate) static STATION_TYPE: WordList = WordList {
+    name: "e_station_type",
+    words: &[word("small"), word("medium"), word("large")],
+    synonyms: &[],
+};
 
 pub(crate) static STRIP_MODE: WordList = WordList {
     name: "e_strip_mode",
     words: &[word("independent").only(from(V1_8)), word("relative").only(from(V1_8))],
+    synonyms: &[],
 };
 
 pub(crate) static TRAFFIC_RULE: WordList = WordList {
     name: "e_trafficRule",
     words: &[word("RHT").only(from(V1_5)), word("LHT").only(from(V1_5))],
+    synonyms: &[],
 };
 
 pub(crate) static TUNNEL_TYPE: WordList =
-    WordList { name: "e_tunnelType", words: &[word("standard"), word("underpass")] };
+    WordList { name: "e_tunnelType", words: &[word("standard"), word("underpass")], synonyms: &[] };
 
 pub(crate) static UNIT: WordList = WordList {
     name: "e_unit",
@@ -497,6 +554,7 @@ pub(crate) static UNIT: WordList = WordList {
         word("t"),
         word("%"),
     ],
+    synonyms: &[("km/h", "km/h"), ("kmh", "km/h"), ("kph", "km/h"), ("m/s", "m/s"), ("mph", "mph")],
 };
 
 pub(crate) static UNIT_DISTANCE: WordList = WordList {
@@ -507,15 +565,17 @@ pub(crate) static UNIT_DISTANCE: WordList = WordList {
         word("ft").only(from(V1_5)),
         word("mile").only(from(V1_5)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static UNIT_MASS: WordList = WordList {
     name: "e_unitMass",
     words: &[word("kg").only(from(V1_5)), word("t").only(from(V1_5))],
+    synonyms: &[],
 };
 
 pub(crate) static UNIT_SLOPE: WordList =
-    WordList { name: "e_unitSlope", words: &[word("%").only(from(V1_5))] };
+    WordList { name: "e_unitSlope", words: &[word("%").only(from(V1_5))], synonyms: &[] };
 
 pub(crate) static UNIT_SPEED: WordList = WordList {
     name: "e_unitSpeed",
@@ -531,6 +591,7 @@ pub(crate) static UNIT_SPEED: WordList = WordList {
         word("t").only(between(V1_4, V1_4)),
         word("%").only(between(V1_4, V1_4)),
     ],
+    synonyms: &[("km/h", "km/h"), ("kmh", "km/h"), ("kph", "km/h"), ("m/s", "m/s"), ("mph", "mph")],
 };
 
 pub(crate) static VEHICLE_CATEGORY: WordList = WordList {
@@ -553,6 +614,7 @@ pub(crate) static VEHICLE_CATEGORY: WordList = WordList {
         word("standupScooter").only(from(V1_9)),
         word("workMachine").only(from(V1_9)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static PARKING_SPACE_MARKING_SIDE: WordList = WordList {
@@ -563,18 +625,20 @@ pub(crate) static PARKING_SPACE_MARKING_SIDE: WordList = WordList {
         word("left").only(between(V1_4, V1_4)),
         word("right").only(between(V1_4, V1_4)),
     ],
+    synonyms: &[],
 };
 
 pub(crate) static BOOL: WordList =
-    WordList { name: "t_bool", words: &[word("true"), word("false")] };
+    WordList { name: "t_bool", words: &[word("true"), word("false")], synonyms: &[] };
 
 pub(crate) static ROAD_END: WordList = WordList {
     name: "t_grEqZeroOrContactPoint",
     words: &[word("start").only(from(V1_8)), word("end").only(from(V1_8))],
+    synonyms: &[],
 };
 
 pub(crate) static MAX_SPEED_WORD: WordList =
-    WordList { name: "t_maxSpeed", words: &[word("no limit"), word("undefined")] };
+    WordList { name: "t_maxSpeed", words: &[word("no limit"), word("undefined")], synonyms: &[] };
 
 pub(crate) static YES_NO: WordList =
-    WordList { name: "t_yesNo", words: &[word("yes"), word("no")] };
+    WordList { name: "t_yesNo", words: &[word("yes"), word("no")], synonyms: &[] };
