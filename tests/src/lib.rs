@@ -1,4 +1,4 @@
-//! What mapd's tests share: places of maps, the generator of the town that the project carries, domains with daemons and
+//! What mapd's tests share: places of maps, the generators of the town and the quarter that the project carries, domains with daemons and
 //! clients as processes, and the tracer that stops a program at its system calls.
 //!
 //! Tests live in `tests/tests`. Those that need maps from outside the project look for them in `../shared` beside the
@@ -35,6 +35,7 @@ pub mod other_user;
 pub mod overlays;
 #[cfg(feature = "processes")]
 pub mod plain_route;
+pub mod quarter;
 pub mod releases;
 #[cfg(feature = "processes")]
 pub mod small;

@@ -1,7 +1,8 @@
-//! Writes a generated map to stdout: the town that the project carries, or straight roads beside each other, to see how costs grow.
+//! Writes a generated map to stdout: the town or the quarter that the project carries, or straight roads beside each other, to see how costs grow.
 //!
 //! ```text
 //! make_map town > examples/maps/town.xodr
+//! make_map quarter > examples/maps/quarter.xodr
 //! make_map straight 200000 5 > large.xodr      roads, and lanes of each
 //! ```
 
@@ -19,6 +20,7 @@ fn main() -> Result<()> {
     let out = &mut BufWriter::new(stdout().lock());
     match args.as_slice() {
         ["town"] => out.write_all(mapd_tests::town::town(3, 3).as_bytes())?,
+        ["quarter"] => out.write_all(mapd_tests::quarter::quarter().as_bytes())?,
         ["straight", roads, lanes] => match (roads.parse(), lanes.parse()) {
             (Ok(roads), Ok(lanes)) => straight(out, roads, lanes)?,
             _ => usage(),
@@ -29,7 +31,10 @@ fn main() -> Result<()> {
 }
 
 fn usage() -> ! {
-    let _ = writeln!(std::io::stderr(), "usage: make_map town | make_map straight ROADS LANES");
+    let _ = writeln!(
+        std::io::stderr(),
+        "usage: make_map town | make_map quarter | make_map straight ROADS LANES"
+    );
     std::process::exit(2)
 }
 

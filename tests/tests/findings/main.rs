@@ -6,6 +6,8 @@ mod asam_checker;
 mod broken_parts;
 // What only building finds has an entry in the catalog, whose examples behave as they say and which a configuration grades.
 mod building;
+// The maps that generators write are what those write, and the quarter has no finding in any profile.
+mod carried_maps;
 // What `mapd check` says, and how it ends.
 mod check;
 // The maps of CARLA, esmini and RoadRunner have no errors but those that docs/checks.md justifies.
