@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// The verdict on a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// There is an archive of all of the map. The file may still violate the standard, as its findings say.
+    /// There is an archive of all of the map, and no error; there may be warnings.
     Accepted,
     /// There is an archive without some parts, which it lists.
     Quarantined,
@@ -161,12 +161,39 @@ pub(crate) struct Collector {
     told: [usize; 3],
     lacks_errors: bool,
     rejecting: usize,
+    /// Whether something is wrong that nothing more can be built from.
+    is_stopped: bool,
     causes: Vec<Cause>,
     units: Units,
+    /// How many errors of reading there are among those only counted, where others of their kind are warnings.
+    counted_errors: BTreeMap<ReadKind, u32>,
     /// How findings of reading and building are graded.
     pub(crate) settings: Settings,
     /// Errors of the whole document, where parts of it are left out: others come of that.
     errors: Option<Arc<BTreeSet<(u64, &'static str)>>>,
+}
+
+/// What findings of reading have in common that one finding stands for: the rule, the element's tag, the attribute.
+type ReadKind = (&'static str, String, Box<str>);
+
+/// What comes of a finding.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Effect {
+    /// It is told.
+    Told,
+    /// It is told for others, each of which takes its part out.
+    ToldForOthers,
+    /// Its part is taken out, although it could be built: what else there is to find is found all the same.
+    TakesOut,
+    /// Its part cannot be built.
+    Stops,
+}
+
+impl Effect {
+    /// That of a finding of building, or of a rule.
+    fn of(finding: &Finding) -> Self {
+        if finding.severity == Severity::Error { Self::Stops } else { Self::Told }
+    }
 }
 
 fn rank(severity: Severity) -> usize {
@@ -199,9 +226,10 @@ impl Collector {
 
     /// Adds the reader's findings about an element, and those of checking and building it.
     ///
-    /// An error of the reader's says that the file violates the standard. It rejects the map only if the document cannot be
-    /// read on, or if the compiler finds the very thing unusable; then it stands for the compiler's finding. So does an error of the
-    /// rule on curves. Where either is graded milder or switched off, the compiler's finding says why a part is left out.
+    /// An error of the reader's says that the schema forbids something. Where the document cannot be read on, or the compiler finds the very thing
+    /// unusable, nothing can be built; then it stands for the compiler's finding. So does an error of the rule on curves. Where either is graded
+    /// milder or switched off, the compiler's finding says why a part is left out. All other errors of the reader's are warnings, unless the
+    /// settings say that they are errors by themselves.
     ///
     /// What concerns parts that are left out already is no longer looked at. An error that is only counted does the same, but is not told: the
     /// compiler's is told in its place, and does not count once more.
@@ -222,28 +250,102 @@ impl Collector {
             let Some((finding, is_small)) = self.about_part(without_message(one), without) else {
                 continue;
             };
-            for_each_about(&finding, &mut unusable, |_, unusable| unusable.count = 0);
-            if finding.severity == Severity::Error && is_small && is_unreadable(tag, &finding) {
-                self.count_cause(finding, places);
+            if finding.severity < Severity::Error {
+                continue;
+            }
+            let is_unreadable = is_small && is_unreadable(tag, &finding);
+            let mut stops = is_unreadable;
+            for_each_about(&finding, &mut unusable, |_, unusable| {
+                unusable.count = 0;
+                stops = true;
+            });
+            if self.settings.is_error_by_itself(finding.rule) {
+                if !stops {
+                    self.count_cause(finding, Effect::TakesOut, places);
+                    continue;
+                }
+            } else if stops {
+                let kind = (finding.rule, tag.to_owned(), finding.subject.clone());
+                *self.counted_errors.entry(kind).or_default() += 1;
+            }
+            if is_unreadable {
+                self.count_cause(finding, Effect::Stops, places);
             }
         }
         for finding in read {
             let Some((finding, is_small)) = self.about_part(finding, without) else { continue };
             let is_error = finding.severity == Severity::Error;
-            let mut rejects = is_error && !rule_ids::is_structural(finding.rule);
-            rejects |= is_error && is_small && is_unreadable(innermost(&finding.path), &finding);
+            let mut stops =
+                is_error && is_small && is_unreadable(innermost(&finding.path), &finding);
             for_each_about(&finding, &mut unusable, |at, _| {
                 explained[at] = true;
-                rejects = true;
+                stops = true;
             });
-            self.push(finding, rejects, places);
+            self.push_read(finding, stops, places);
         }
         for (finding, explained) in unusable.into_iter().zip(explained) {
             if !explained && !built.iter().any(|one| is_about_curve(one, &finding)) {
-                self.push(finding, true, places);
+                self.push(finding, Effect::Stops, places);
             }
         }
         self.add(built, places);
+    }
+
+    /// Adds what the reader finds at the end of a document: about the root, and how many more there are of each kind. Of those that are errors only
+    /// where nothing can be built, one finding tells the errors and one the others.
+    pub(crate) fn add_last_read(
+        &mut self,
+        read: Vec<Finding>,
+        places: &Places,
+        without: &Exclusions,
+    ) {
+        let read: Vec<_> =
+            read.into_iter().filter_map(|finding| self.about_part(finding, without)).collect();
+        let mut errors = vec![0; read.len()];
+        let mut left = std::mem::take(&mut self.counted_errors);
+        // One finding may stand for several kinds, where there are very many.
+        for is_exact in [true, false] {
+            for ((finding, _), errors) in read.iter().zip(&mut errors) {
+                for ((rule, tag, subject), count) in &mut left {
+                    let is_own = *tag == innermost(&finding.path) && *subject == finding.subject;
+                    if finding.rule == *rule && (is_own || !is_exact) {
+                        let more = (*count).min(finding.count - *errors);
+                        (*count, *errors) = (*count - more, *errors + more);
+                    }
+                }
+            }
+        }
+        for ((finding, _), errors) in read.into_iter().zip(errors) {
+            let (all, message) = (finding.count, finding.message.clone());
+            let part = |count| match count == all {
+                true => message.clone(),
+                false => format!("{count} of {message}"),
+            };
+            if errors > 0 {
+                let finding = Finding { count: errors, message: part(errors), ..finding.clone() };
+                self.push(finding, Effect::ToldForOthers, places);
+            }
+            if errors < all {
+                let finding =
+                    Finding { count: all - errors, message: part(all - errors), ..finding };
+                self.push_read(finding, false, places);
+            }
+        }
+    }
+
+    /// Adds one of the reader's findings, as it is graded; whether something cannot be built because of it.
+    fn push_read(&mut self, mut finding: Finding, stops: bool, places: &Places) {
+        let effect = match finding.severity {
+            _ if stops => Effect::Stops,
+            Severity::Error if !rule_ids::is_structural(finding.rule) => Effect::Stops,
+            Severity::Error if self.settings.is_error_by_itself(finding.rule) => Effect::TakesOut,
+            Severity::Error => {
+                finding.severity = Severity::Warning;
+                Effect::Told
+            }
+            _ => Effect::Told,
+        };
+        self.push(finding, effect, places);
     }
 
     /// One of the reader's findings as it is graded, and whether it is about an object or a signal; none if it is off, or about what is left out.
@@ -276,8 +378,8 @@ impl Collector {
     /// Adds findings of which each error rejects the map.
     pub(crate) fn add(&mut self, findings: Vec<Finding>, places: &Places) {
         for finding in self.graded(findings) {
-            let rejects = finding.severity == Severity::Error;
-            self.push(finding, rejects, places);
+            let effect = Effect::of(&finding);
+            self.push(finding, effect, places);
         }
     }
 
@@ -285,45 +387,53 @@ impl Collector {
     /// after it.
     pub(crate) fn add_late(&mut self, findings: Vec<Finding>, places: &Places) {
         for finding in self.graded(findings) {
-            let rejects = finding.severity == Severity::Error;
-            self.keep(finding, rejects, places);
+            let effect = Effect::of(&finding);
+            self.keep(finding, effect, places);
         }
     }
 
-    fn push(&mut self, finding: Finding, rejects: bool, places: &Places) {
-        let rejects = rejects && !self.is_consequence(&finding);
-        self.keep(finding, rejects, places);
+    fn push(&mut self, finding: Finding, effect: Effect, places: &Places) {
+        let effect = if self.is_consequence(&finding) { Effect::Told } else { effect };
+        self.keep(finding, effect, places);
     }
 
-    fn keep(&mut self, finding: Finding, rejects: bool, places: &Places) {
+    fn keep(&mut self, finding: Finding, effect: Effect, places: &Places) {
         self.counts.add(&finding);
         let told = &mut self.told[rank(finding.severity)];
         // Those that say why there is no archive are kept beyond the others.
+        let rejects = effect > Effect::Told;
         let kept = *told < KEPT || (rejects && self.rejecting < KEPT);
         *told += 1;
         self.lacks_errors |= !kept && finding.severity == Severity::Error;
-        self.rejecting += usize::from(rejects);
+        self.reject_for(effect);
         if kept {
             let place = places.place(finding.span.start);
             let (line, column) = (place.position.line, place.position.column);
-            if rejects {
-                self.causes.push(Cause::new(&finding, &place));
+            if effect >= Effect::TakesOut {
+                self.causes.push(Cause::new(&finding, &place, effect == Effect::Stops));
             }
             self.diagnostics.push(Diagnostic { finding, rejects, file: place.file, line, column });
         }
     }
 
     /// An error that is counted elsewhere takes out a part.
-    fn count_cause(&mut self, finding: Finding, places: &Places) {
+    fn count_cause(&mut self, finding: Finding, effect: Effect, places: &Places) {
         if self.is_consequence(&finding) {
             return;
         }
         let kept = self.rejecting < KEPT;
         self.lacks_errors |= !kept;
-        self.rejecting += 1;
+        self.reject_for(effect);
         if kept {
-            self.causes.push(Cause::new(&finding, &places.place(finding.span.start)));
+            let (place, stops) = (places.place(finding.span.start), effect == Effect::Stops);
+            self.causes.push(Cause::new(&finding, &place, stops));
         }
+    }
+
+    /// Counts a finding that takes something out.
+    fn reject_for(&mut self, effect: Effect) {
+        self.rejecting += usize::from(effect >= Effect::TakesOut);
+        self.is_stopped |= effect == Effect::Stops;
     }
 
     /// Takes the places of an element's parts.
@@ -338,6 +448,11 @@ impl Collector {
 
     pub(crate) fn is_rejected(&self) -> bool {
         self.rejecting > 0
+    }
+
+    /// Whether nothing more is built of the document.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.is_stopped
     }
 
     /// Everything but the rows; the findings because of which something is left out; which part each place is in.

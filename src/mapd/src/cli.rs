@@ -71,7 +71,7 @@ enum Command {
     /// List everything that is wrong with an OpenDRIVE file
     ///
     /// The map is not built.
-    #[command(after_help = check::HELP)]
+    #[command(after_help = check::help())]
     Check(Box<CheckCommand>),
     /// Show the contents of a map
     Inspect(Box<InspectCommand>),

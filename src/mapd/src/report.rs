@@ -50,7 +50,7 @@ pub(crate) struct ReportedFinding<'a> {
     /// The id of the same rule in ASAM's checkers, where they have it.
     asam_rule: Option<&'static str>,
     severity: &'static str,
-    /// Whether the map is rejected because of it.
+    /// Whether the map is rejected, or a part of it left out, because of it.
     rejects: bool,
     file: &'a str,
     line: u32,
@@ -187,21 +187,18 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
     }
 }
 
-/// Prints findings to stderr: what the map is rejected for, other errors, warnings, the first of each and of each rule;
+/// Prints findings to stderr: errors, then warnings, the first of each and of each rule;
 /// information is not printed.
 pub fn print(file: &str, compiled: &Compilation) {
     let mut err = std::io::stderr().lock();
     let colours = Colours::of(&err);
     let counts = counts(compiled);
-    let errors =
-        |rejects: bool| of(compiled, Severity::Error).filter(move |d| d.rejects == rejects);
-    for (severity, count, printed) in [
-        (Severity::Error, counts.errors, errors(true).chain(errors(false)).collect::<Vec<_>>()),
-        (Severity::Warning, counts.warnings, of(compiled, Severity::Warning).collect()),
-    ] {
+    for (severity, count) in
+        [(Severity::Error, counts.errors), (Severity::Warning, counts.warnings)]
+    {
         let mut folding = Folding::default();
         let told: Vec<&Diagnostic> =
-            printed.into_iter().filter(|d| folding.tells(d)).take(PRINTED).collect();
+            of(compiled, severity).filter(|d| folding.tells(d)).take(PRINTED).collect();
         for d in &told {
             let f = &d.finding;
             let name = colours.severity(severity, severity_name(severity));
@@ -244,10 +241,6 @@ pub fn print(file: &str, compiled: &Compilation) {
                 );
             }
             let _ = writeln!(err, "{file}: accepted without {} parts", compiled.quarantined.len());
-        }
-        Verdict::Accepted if counts.errors > 0 => {
-            let _ =
-                writeln!(err, "{file}: accepted; errors against the standard: {}", counts.errors);
         }
         Verdict::Accepted => {}
     }

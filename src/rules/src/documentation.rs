@@ -8,22 +8,28 @@ use crate::structural::{KEPT, LEFT_OUT, STRUCTURAL};
 use mapd_xodr::Severity;
 use std::fmt::Write as _;
 
-const HEAD: &str = "# Rules
+/// What an error is, wherever the documentation says it.
+pub const ERROR: &str = "An error takes the smallest part that contains it out of the map, or rejects the map; the profile decides what is an error.";
+
+const HEAD: [&str; 2] = [
+    "# Rules
 
 Written by `cargo run -p mapd-rules --example rules_doc` from the catalog in `src/rules/src/catalog/`; change that instead.
 
-This page lists every rule that mapd checks, with its severity in each profile. A finding is an **error** if a part of the map cannot be used, a **warning** if
-it can be used although the standard forbids it, and **information** if it is allowed but worth knowing. The profile decides:
+This page lists every rule that mapd checks, with its severity in each profile. ",
+    " A warning is for what the standard forbids and mapd can use
+all the same, or for what is allowed and hardly meant; information is allowed and worth knowing.
 
 | profile | rules | severity |
 |---|---|---|
-| `default` | all | as below |
+| `default` | all | as below: only what cannot be used is an error |
 | `strict` | all | as below, in the second column: everything that the standard forbids is an error |
-| `asam` | those with an id of ASAM's, from the version in the id on | as below, in the third column: as in ASAM's checker if it has the rule; otherwise error, and warning for recommendations |
+| `asam` | those with an id of ASAM's, from the version in the id on, and those of reading and building | as below, in the third column: as in ASAM's checker if it has the rule; otherwise error, and warning for recommendations |
 
-A configuration file turns single rules off or changes their severity; see [checks.md](checks.md#rules). Findings of reading and building, the last two groups, are the same
-in every profile; the tables have the severity of the worst finding.
-";
+A configuration file turns single rules off or changes their severity; see [checks.md](checks.md#rules). The tables have the severity of the worst finding: of what reading finds,
+the default profile has an error only where something cannot be built, and a warning elsewhere.
+",
+];
 
 fn word(severity: Severity) -> &'static str {
     match severity {
@@ -83,7 +89,7 @@ pub struct Page {
 
 /// Every page of the documentation.
 pub fn documentation() -> Vec<Page> {
-    let mut index = HEAD.to_owned();
+    let mut index = HEAD.join(ERROR);
     let mut pages = Vec::new();
     let asam = Settings { profile: Profile::Asam, ..Settings::default() };
     for (title, slices) in catalog::GROUPS {

@@ -42,7 +42,7 @@ mod walk;
 mod whole;
 
 pub use checker::Checker;
-pub use documentation::{Page, documentation, with_errors};
+pub use documentation::{ERROR, Page, documentation, with_errors};
 pub use examiner::{Examined, ExaminedItem, Examiner};
 pub use example::Example;
 pub use network::{Network, extent};

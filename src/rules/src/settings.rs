@@ -12,10 +12,10 @@ const FINDINGS_OF_A_RULE: u32 = 100;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Profile {
-    /// Errors are what makes a part useless; what the standard forbids beyond that is a warning.
+    /// Only what makes a part useless is an error; what the standard forbids beyond that is a warning.
     #[default]
     Default,
-    /// Whatever the standard forbids is an error.
+    /// Whatever the standard forbids is an error; what it allows is none.
     Strict,
     /// ASAM's rules alone, each from the version in its id on; whatever they forbid is an error, recommendations are
     /// warnings. What ASAM's checker looks at has the severity that it has there.
@@ -73,9 +73,9 @@ impl Settings {
             None => {}
         }
         match self.profile {
-            // What was read and built is the same in every profile.
-            _ if !rule.check.looks() => Some(rule.severity),
             Profile::Default => Some(rule.severity),
+            // What was read and built is the same for whoever forbids something.
+            _ if !rule.check.looks() => Some(rule.strict),
             Profile::Strict => Some(rule.strict),
             Profile::Asam if !rule.is_asam() => None,
             Profile::Asam if rule.asam.is_some() => rule.asam,
@@ -96,9 +96,6 @@ impl Settings {
 
     /// A finding of reading or building as it is graded; none where it is switched off. Findings of other rules are graded where they are made.
     pub fn graded(&self, finding: Finding) -> Option<Finding> {
-        if !self.grades.contains_key(finding.rule) {
-            return Some(finding);
-        }
         match catalog::of(finding.rule).filter(|rule| !rule.check.looks()) {
             None => Some(finding),
             Some(rule) => {
@@ -108,15 +105,24 @@ impl Settings {
         }
     }
 
-    /// How bad a finding of reading or building is, by how bad it is where nothing grades it; none where it is switched off. One that is milder than
+    /// How bad a finding of reading or building is, by how bad it is for whoever finds it; none where it is switched off. One that is milder than
     /// usual for its rule stays so. Grading twice yields what grading once does.
     pub fn severity_of(&self, rule: &Rule, own: Severity) -> Option<Severity> {
-        match self.grades.get(rule.id).filter(|_| !rule.fixed) {
-            None => Some(own),
-            Some(Grade::Off) => None,
-            Some(Grade::Severity(to)) if own < rule.severity => Some(own.min(*to)),
-            Some(Grade::Severity(to)) => Some(*to),
-        }
+        let graded = self.severity(rule)?;
+        // The reader takes each finding as the standard does.
+        Some(if own < rule.strict { own.min(graded) } else { graded })
+    }
+
+    /// Whether an error of reading takes its part out even if the part can be built without what the error is about. In the default profile it is a
+    /// warning then, unless the configuration says of the rule that it is an error.
+    pub fn is_error_by_itself(&self, rule: &str) -> bool {
+        let is_error = |grade: &Grade| *grade == Grade::Severity(Severity::Error);
+        self.profile != Profile::Default || self.grades.get(rule).is_some_and(is_error)
+    }
+
+    /// Whether some rule's errors of reading do so.
+    pub fn has_errors_by_themselves(&self) -> bool {
+        self.profile != Profile::Default || self.grades.keys().any(|id| self.is_error_by_itself(id))
     }
 
     /// Rules among the grades that no configuration grades, in the order of their ids.

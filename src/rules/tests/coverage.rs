@@ -1,6 +1,6 @@
 //! Every rule of the list beside the project is in the catalog, said by the schema, kept by what mapd does, or left out.
 
-use mapd_rules::{Check, Grade, Settings, catalog, structural};
+use mapd_rules::{Grade, Profile, Settings, catalog, structural};
 use mapd_xodr::{Limits, Reader, Severity};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -67,9 +67,7 @@ fn the_schema_says_what_it_is_said_to() {
 #[test]
 fn every_rule_that_takes_a_part_out_says_why() {
     for rule in catalog::all() {
-        // Of what reading finds, the compiler says whether a part can be built without it.
-        let takes_out = rule.severity == Severity::Error
-            && (rule.fixed || !matches!(rule.check, Check::Reading));
+        let takes_out = rule.severity == Severity::Error;
         assert_eq!(takes_out, !rule.because.is_empty(), "{}", rule.id);
     }
 }
@@ -176,9 +174,32 @@ fn findings_of_reading_and_building_are_graded() {
     ] {
         let grades = [(Box::from(rule), grade)].into();
         let settings = Settings { grades, ..Settings::default() };
+        let again = settings.graded(finding(rule, found)).and_then(|once| settings.graded(once));
+        assert_eq!(again.map(|finding| finding.severity), expected, "{rule} {found:?}, twice");
         let graded = settings.graded(finding(rule, found)).map(|finding| finding.severity);
         assert_eq!(graded, expected, "{rule} {found:?} {grade:?}");
         assert!(settings.unknown().is_empty(), "{rule}");
         assert_eq!(settings.fixed().len(), usize::from(rule == fixed), "{rule}");
+    }
+}
+
+/// What the schema forbids is an error for whoever keeps to it. In the default profile it is a warning where it can be no error.
+#[test]
+fn findings_of_reading_are_graded_by_the_profile() {
+    use Severity::{Error, Info, Warning};
+    let (word, missing) = ("mapd:value.enumeration", "mapd:structure.missing_attribute");
+    for (profile, rule, found, expected) in [
+        (Profile::Default, word, Error, Warning),
+        (Profile::Default, word, Warning, Warning),
+        (Profile::Default, missing, Error, Error),
+        (Profile::Strict, word, Error, Error),
+        (Profile::Strict, word, Warning, Warning),
+        (Profile::Asam, word, Error, Error),
+        (Profile::Asam, "mapd:graph.gap", Warning, Warning),
+        (Profile::Strict, "mapd:structure.deprecated", Info, Info),
+    ] {
+        let settings = Settings { profile, ..Settings::default() };
+        let rule = catalog::of(rule).expect("it is there");
+        assert_eq!(settings.severity_of(rule, found), Some(expected), "{profile:?} {}", rule.id);
     }
 }

@@ -283,7 +283,7 @@ impl Context {
         cursor.namespace.clone_from(&known.namespace);
         cursor.counts.clone_from(&known.counts);
         cursor.structure = known.structure.clone();
-        cursor.findings = Findings::behind(known.limits.findings_of_a_kind, self.used_up.clone());
+        cursor.findings = Findings::behind(&known.limits, self.used_up.clone());
         cursor.push_frame(Name::Known(crate::reader::ROOT), 0);
         cursor.scope = Scope::Batch;
         let mut root = known.root.clone();
@@ -313,7 +313,7 @@ impl Context {
             && !cursor.findings.is_full()
             && !cursor.window.passed_limit
             && !has_header;
-        let rest = std::mem::replace(&mut cursor.findings, Findings::new(0));
+        let rest = std::mem::replace(&mut cursor.findings, Findings::new(&known.limits));
         let batch = Batch { text: cursor.window.into_text(), start, notes };
         ReadBatch { batch, parts, rest, is_whole }
     }

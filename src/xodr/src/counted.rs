@@ -1,11 +1,11 @@
-//! Findings that are only counted, and say of an attribute that its value is not there.
+//! Findings that are only counted: those that say of an attribute that its value is not there, or all.
 
 use crate::finding::Severity;
 use crate::rule_ids;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// A finding that was only counted: building may be about the same value, and leave out what it belongs to.
+/// A finding that was only counted: it may be an error that takes out what it belongs to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CountedFinding {
     /// Id of the rule that found it.
@@ -14,14 +14,16 @@ pub struct CountedFinding {
     pub severity: Severity,
     /// Name of the element's tag.
     pub tag: &'static str,
-    /// Name of the attribute that it is about.
+    /// Name of the tag of the top-level element that it is in; empty where it is in none of the schema.
+    pub top: &'static str,
+    /// Name of the attribute or child that it is about.
     pub subject: Arc<str>,
     /// First byte of where it stands, as of a [`Span`](crate::Span).
     pub start: u64,
 }
 
 /// What findings of one kind have in common.
-pub(crate) type CountedKind = (&'static str, Severity, &'static str, Arc<str>);
+pub(crate) type CountedKind = (&'static str, Severity, &'static str, &'static str, Arc<str>);
 
 /// Such findings about one top-level element. A hostile one has millions, so that each is no more than its place and its kind.
 #[derive(Clone, Debug, Default)]
@@ -56,8 +58,8 @@ impl CountedFindings {
     /// Each of them, in no order.
     pub fn iter(&self) -> impl Iterator<Item = CountedFinding> {
         self.starts.iter().zip(&self.kind_of).filter_map(|(start, rank)| {
-            let (rule, severity, tag, subject) = self.kinds.get(*rank as usize)?.clone();
-            Some(CountedFinding { rule, severity, tag, subject, start: *start })
+            let (rule, severity, tag, top, subject) = self.kinds.get(*rank as usize)?.clone();
+            Some(CountedFinding { rule, severity, tag, top, subject, start: *start })
         })
     }
 }

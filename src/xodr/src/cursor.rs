@@ -209,7 +209,7 @@ impl<'a> Cursor<'a> {
             outer: Vec::new(),
             inputs,
             limits,
-            findings: Findings::new(limits.findings_of_a_kind),
+            findings: Findings::new(&limits),
             tag: Tag::default(),
             current: Current::Content,
             schema: &crate::checks::CONTENT,
@@ -501,11 +501,12 @@ impl<'a> Cursor<'a> {
     ) {
         let (frames, names, stated, version) =
             (&self.frames, &self.names, &self.stated, self.version);
-        let tag = match frames.last() {
+        let known = |frame: Option<&OpenTag>| match frame {
             Some(OpenTag { name: Name::Known(name), .. }) => *name,
             _ => "",
         };
-        let about = About { element: self.kind.name, tag, detail };
+        let (tag, top) = (known(frames.last()), known(frames.get(1)));
+        let about = About { element: self.kind.name, tag, top, detail };
         self.findings.add(rule, severity, span, about, || {
             (path_of(frames, names), message(&standard(stated, version)))
         });

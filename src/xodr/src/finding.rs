@@ -19,7 +19,7 @@ pub enum Severity {
     Info,
     /// Read on as described.
     Warning,
-    /// The part that it concerns cannot be used.
+    /// The schema forbids it, or nothing can be built from it. Who judges the map decides what remains an error: such takes its part out of the map.
     Error,
 }
 

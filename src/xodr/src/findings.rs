@@ -2,6 +2,7 @@
 
 use crate::counted::CountedFindings;
 use crate::finding::{Finding, Severity, Span, shorten, shorten_message};
+use crate::limits::Limits;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -29,8 +30,9 @@ pub(crate) struct KeptFinding {
     finding: Finding,
     /// Type of the element that it is about, which is part of its kind.
     element: &'static str,
-    /// Name of that element's tag.
+    /// Name of that element's tag, and of the top-level element that it is in.
     tag: &'static str,
+    top: &'static str,
 }
 
 /// What a finding is about.
@@ -40,6 +42,8 @@ pub(crate) struct About<'a> {
     pub(crate) element: &'static str,
     /// Name of the element's tag; empty where it is about none of the schema.
     pub(crate) tag: &'static str,
+    /// Name of the tag of the top-level element that it is in; empty where it is in none of the schema.
+    pub(crate) top: &'static str,
     /// Tells findings of one rule about such elements apart.
     pub(crate) detail: &'a str,
 }
@@ -47,7 +51,7 @@ pub(crate) struct About<'a> {
 impl<'a> About<'a> {
     /// About the text as such.
     pub(crate) fn text(detail: &'a str) -> Self {
-        Self { element: "", tag: "", detail }
+        Self { element: "", tag: "", top: "", detail }
     }
 }
 
@@ -65,26 +69,29 @@ pub(crate) struct Findings {
     kept: Vec<KeptFinding>,
     counts: Counts,
     more: Vec<(Kind, More)>,
-    /// Those of `more` that building may run into as well.
+    /// Places of those of `more` that building may run into as well, or of all.
     counted: CountedFindings,
     limit: u32,
+    /// Whether `counted` takes all of them.
+    places_of_all: bool,
     /// Errors so far, kept or not.
     pub(crate) errors: usize,
 }
 
 impl Findings {
-    pub(crate) fn new(limit: u32) -> Self {
-        Self::behind(limit, Counts::new())
+    pub(crate) fn new(limits: &Limits) -> Self {
+        Self::behind(limits, Counts::new())
     }
 
     /// A collector for a part of a document, with what [`Findings::used_up`] says of what stands before it.
-    pub(crate) fn behind(limit: u32, counts: Counts) -> Self {
+    pub(crate) fn behind(limits: &Limits, counts: Counts) -> Self {
         Self {
             kept: Vec::new(),
             counts,
             more: Vec::new(),
             counted: CountedFindings::default(),
-            limit,
+            limit: limits.findings_of_a_kind,
+            places_of_all: limits.places_of_all,
             errors: 0,
         }
     }
@@ -106,10 +113,10 @@ impl Findings {
         make: impl FnOnce() -> (String, String),
     ) {
         self.errors += usize::from(severity == Severity::Error);
-        let About { element, tag, detail } = about;
+        let About { element, tag, top, detail } = about;
         let (kind, fate) = self.fate(rule, severity, element, detail, 1);
         if !matches!(fate, FindingFate::KeptFinding) {
-            self.remember(rule, severity, span, (tag, detail));
+            self.remember(rule, severity, span, about);
         }
         match fate {
             FindingFate::KeptFinding => {
@@ -119,7 +126,7 @@ impl Findings {
                 let hint = String::new();
                 let finding =
                     Finding { rule, severity, span, path, subject, message, hint, count: 1 };
-                self.kept.push(KeptFinding { finding, element, tag });
+                self.kept.push(KeptFinding { finding, element, tag, top });
             }
             FindingFate::First => {
                 let path = shorten_message(make().0);
@@ -129,17 +136,17 @@ impl Findings {
         }
     }
 
-    /// Keeps the place of a finding that is only counted, where it says that a value is not there.
+    /// Keeps the place of a finding that is only counted, where it says that a value is not there or the caller wants all.
     fn remember(
         &mut self,
         rule: &'static str,
         severity: Severity,
         span: Span,
-        (tag, detail): (&'static str, &str),
+        About { tag, top, detail, .. }: About<'_>,
     ) {
-        if CountedFindings::takes(rule) {
+        if self.places_of_all || CountedFindings::takes(rule) {
             let subject = Arc::from(shorten(detail, DETAIL_BYTES));
-            self.counted.push((rule, severity, tag, subject), span.start);
+            self.counted.push((rule, severity, tag, top, subject), span.start);
         }
     }
 
@@ -190,11 +197,12 @@ impl Findings {
 
     /// Adds a finding that another collector has kept.
     pub(crate) fn add_again(&mut self, kept: KeptFinding) {
-        let KeptFinding { finding, element, tag } = &kept;
+        let KeptFinding { finding, element, tag, top } = &kept;
         let (rule, severity, span) = (finding.rule, finding.severity, finding.span);
         let (kind, fate) = self.fate(rule, severity, element, &finding.subject, 1);
         if !matches!(fate, FindingFate::KeptFinding) {
-            self.remember(rule, severity, span, (tag, &finding.subject));
+            let about = About { element, tag, top, detail: &finding.subject };
+            self.remember(rule, severity, span, about);
         }
         match fate {
             FindingFate::KeptFinding => self.kept.push(kept),
@@ -241,11 +249,11 @@ impl Findings {
             let More { span, path, count } = more;
             let (subject, hint) = ((&*detail).into(), String::new());
             let finding = Finding { rule, severity, span, path, subject, message, hint, count };
-            self.kept.push(KeptFinding { finding, element, tag: "" });
+            self.kept.push(KeptFinding { finding, element, tag: "", top: "" });
         }
     }
 
-    /// Takes what was only counted, and says that a value is not there.
+    /// Takes the places of what was only counted.
     pub(crate) fn take_counted(&mut self) -> CountedFindings {
         std::mem::take(&mut self.counted)
     }

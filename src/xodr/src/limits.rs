@@ -38,6 +38,9 @@ pub struct Limits {
     pub item_bytes: usize,
     /// Findings of one kind about one type of element that are kept; more are counted. Default 100.
     pub findings_of_a_kind: u32,
+    /// Whether the place of each finding that is only counted is kept, for callers to whom any of them matters. Default: only of those that say of an
+    /// attribute that its value is not there.
+    pub places_of_all: bool,
     /// Bounds on the input: its size, compression, includes.
     pub source: SourceLimits,
 }
@@ -52,6 +55,7 @@ impl Default for Limits {
             extension_bytes: EXTENSION_BYTES,
             item_bytes: ITEM_BYTES,
             findings_of_a_kind: FINDINGS_OF_A_KIND,
+            places_of_all: false,
             source: SourceLimits::default(),
         }
     }

@@ -401,7 +401,8 @@ impl Cursor<'_> {
             // What is none is worse than one that is not known.
             let is_stated = [&major, &minor].map(|number| number.trim().parse::<u16>().is_ok());
             let severity = if is_stated == [true; 2] { Severity::Warning } else { Severity::Error };
-            let about = About { element: "Header", tag: "header", detail: "revMinor" };
+            let about =
+                About { element: "Header", tag: "header", top: "header", detail: "revMinor" };
             self.findings.add(rule_ids::VERSION, severity, span, about, || (path, message));
         }
     }

@@ -62,7 +62,7 @@ fn what_rejects_the_map_says_so() {
         .replace("id=\"1\"", "id=\"1\" rule=\"UP\"");
     let (out, code) = check("a.xodr", text.as_bytes(), &[]);
     assert_eq!(code, Some(4), "{out}");
-    assert!(out.contains("a.xodr:3:20: error[mapd:value.enumeration]: expected"), "{out}");
+    assert!(out.contains("a.xodr:3:20: warning[mapd:value.enumeration]: expected"), "{out}");
     assert!(
         out.contains("error[mapd:value.type], rejects the map: expected a number in @hdg"),
         "{out}"
@@ -279,7 +279,7 @@ fn numbers_are_those_of_all_findings() {
         ),
         (
             signal("s=\"1\" orientation=\"+\" type=\"x\" subtype=\"x\""),
-            "errors",
+            "warnings",
             "mapd:structure.missing_attribute",
         ),
         // Information and warnings of a rule.

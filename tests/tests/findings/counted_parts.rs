@@ -118,11 +118,60 @@ fn how_many_findings_are_kept_decides_nothing() {
 #[test]
 fn a_grade_holds_for_what_is_only_counted() {
     let text = roads(&[road(0, &OBJECT.replace("zOffset=\"0\"", "zOffset=\"abc\""), SIGNAL)]);
-    let graded = |grade| Settings {
-        grades: [(Box::from(rule_ids::VALUE), grade)].into_iter().collect(),
+    let graded = |rule: &str, grade| Settings {
+        grades: [(Box::from(rule), grade)].into_iter().collect(),
         ..Settings::default()
     };
-    check("an error", &text, &graded(Grade::Severity(Severity::Error)), OBJECTS);
-    check("a warning", &text, &graded(Grade::Severity(Severity::Warning)), 0);
-    check("off", &text, &graded(Grade::Off), 0);
+    check("an error", &text, &graded(rule_ids::VALUE, Grade::Severity(Severity::Error)), OBJECTS);
+    check("a warning", &text, &graded(rule_ids::VALUE, Grade::Severity(Severity::Warning)), 0);
+    check("off", &text, &graded(rule_ids::VALUE, Grade::Off), 0);
+    // What hinders nothing takes nothing out, unless it is graded so.
+    for (rule, from, to) in [
+        (rule_ids::ENUMERATION, "type=\"pole\"", "type=\"lamppost\""),
+        (rule_ids::RANGE, "height=\"1\"", "height=\"-1\""),
+        (rule_ids::UNKNOWN_ATTRIBUTE, "height=\"1\"", "tall=\"1\""),
+        (rule_ids::UNKNOWN_ELEMENT, "/>", "><tall/></object>"),
+    ] {
+        assert!(OBJECT.contains(from), "{from}");
+        let text = roads(&[road(0, &OBJECT.replace(from, to), SIGNAL)]);
+        check(rule, &text, &Settings::default(), 0);
+        check(rule, &text, &graded(rule, Grade::Severity(Severity::Error)), OBJECTS);
+    }
+}
+
+/// Of findings of one kind, which are only counted, those are errors that something is built from, and no others.
+#[test]
+fn what_is_only_counted_is_an_error_where_it_takes_something_out() {
+    let plan = |x: &str| {
+        format!(
+            r#"<planView><geometry s="0" x="{x}" y="0" hdg="0" length="9"><line/></geometry></planView>"#
+        )
+    };
+    let road = |id: u32, x: &str| {
+        let lanes =
+            r#"<lanes><laneSection s="0"><center><lane id="0"/></center></laneSection></lanes>"#;
+        format!(r#"<road id="{id}" length="9" junction="-1">{}{lanes}</road>"#, plan(x))
+    };
+    // Nothing is built along the line of a junction without objects and heights.
+    let junction = |id: u32| format!(r#"<junction id="{id}" name="">{}</junction>"#, plan("east"));
+    let text = format!(
+        r#"<OpenDRIVE><header revMajor="1" revMinor="9"/>{}{}{}{}{}</OpenDRIVE>"#,
+        road(1, "0"),
+        road(2, "east"),
+        road(3, "20"),
+        junction(8),
+        junction(9)
+    );
+    for limit in [0, 1, 2, 3, 100] {
+        let compiled = compile(&text, limit, None, &Settings::default());
+        let lost: Vec<String> = compiled.quarantined.iter().map(|part| part.name()).collect();
+        assert_eq!(lost, ["road 2"], "{limit}");
+        let of = |severity| {
+            let own = compiled.counts.iter().filter(|(own, rule, _)| {
+                *own == severity && (*rule == rule_ids::VALUE || severity == Severity::Error)
+            });
+            own.map(|(_, _, count)| count).sum::<usize>()
+        };
+        assert_eq!((of(Severity::Error), of(Severity::Warning)), (1, 2), "{limit} kept");
+    }
 }

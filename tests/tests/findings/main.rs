@@ -16,6 +16,8 @@ mod clean_maps;
 mod counted_parts;
 // Cycles that a map must not have are errors like others: the policy decides what is left out for them.
 mod cycles;
+// An error takes its part out of the map, or rejects the map.
+mod errors;
 // What the command line says and does about a map that lost parts.
 mod holes;
 // What links of lanes break, within a road, between roads and through the connections of junctions.

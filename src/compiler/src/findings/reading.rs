@@ -18,14 +18,17 @@ pub(crate) fn raise(finding: &mut Finding, is_small: bool) {
 
 /// A finding that is only counted, as one: what the value is, is not known any more.
 pub(crate) fn without_message(counted: CountedFinding) -> Finding {
-    let CountedFinding { rule, severity, tag: _, subject, start } = counted;
+    let CountedFinding { rule, severity, tag: _, top, subject, start } = counted;
     let message = match rule {
         rule_ids::MISSING => format!("expected @{subject}, found none"),
         rule_ids::EMPTY => format!("expected a value in @{subject}, found none"),
-        _ => format!("expected a value in @{subject}, found what is none"),
+        rule_ids::VALUE | rule_ids::FINITE | rule_ids::RANGE | rule_ids::ENUMERATION => {
+            format!("expected a value in @{subject}, found what is none")
+        }
+        _ => format!("expected {subject} as the standard has it, found it otherwise"),
     };
     let (span, subject) = (Span { start, len: 0 }, (*subject).into());
-    let (path, hint) = (String::new(), String::new());
+    let (path, hint) = (format!("OpenDRIVE/{top}"), String::new());
     Finding { rule, severity, span, path, subject, message, hint, count: 0 }
 }
 

@@ -18,7 +18,7 @@ use in_order::InOrder;
 use mapd_archive::{Provenance, Rows};
 use mapd_rules::{Checker, Network};
 use mapd_xodr::source::{Inputs, Places};
-use mapd_xodr::{CountedFindings, Item, Reader};
+use mapd_xodr::{Item, Limits, Reader};
 use part::{Element, Lowered, Plan};
 use std::collections::VecDeque;
 use std::io::{self, Read};
@@ -148,7 +148,7 @@ impl Document {
         options: &CompileOptions,
         progress: &mut dyn FnMut(Progress),
     ) -> io::Result<Option<Rows>> {
-        if self.collector.is_rejected() {
+        if self.collector.is_stopped() {
             return Ok(None);
         }
         let mut draft = std::mem::take(&mut self.draft);
@@ -156,7 +156,7 @@ impl Document {
         let mut findings = Vec::new();
         let frame = frame::apply(&mut draft, &mut self.signals, options, &mut findings);
         self.collector.add_late(findings, &self.places);
-        if self.collector.is_rejected() {
+        if self.collector.is_stopped() {
             return Ok(None);
         }
         let placed = draft.placed.clone();
@@ -225,7 +225,9 @@ fn read(
             None => inputs.open(Box::new(&mut hashing), ""),
             Some(patch) => inputs.open_patched(Box::new(&mut hashing), "", patch),
         };
-        let reader = Reader::with_source(inputs, source, reading.limits);
+        let places_of_all = reading.rules.has_errors_by_themselves();
+        let limits = Limits { places_of_all, ..reading.limits };
+        let reader = Reader::with_source(inputs, source, limits);
         let mut stream = Stream::new(reader, reading.batch_bytes, scope, between);
         let places = stream.reader.places().clone();
         let none_near = places.near(0, 0);
@@ -299,7 +301,7 @@ fn read(
     let lacks_ids = whole.lacks_ids();
     let links = Links::new(&draft.road_spans, whole.network());
     // Nodes are made beside the rules. Where those reject the map, it is as if there were none.
-    let is_sound = !collector.is_rejected();
+    let is_sound = !collector.is_stopped();
     let (examined, (signals, cuts)) = rayon::join(
         || part::examine(&whole),
         || {
@@ -316,19 +318,14 @@ fn read(
     }
     let (network, rest) = checker.end(whole, examined).into_links();
     free(rest);
-    collector.add_read(
-        read,
-        &CountedFindings::default(),
-        checker.take_findings(),
-        &places,
-        without,
-    );
+    collector.add_last_read(read, &places, without);
+    collector.add(checker.take_findings(), &places);
     if lacks_ids {
         late.push(too_many_ids());
     }
     collector.add(late, &places);
     let mut graph = graph::WrittenLinks::default();
-    if let Some(cuts) = cuts.filter(|_| !collector.is_rejected()) {
+    if let Some(cuts) = cuts.filter(|_| !collector.is_stopped()) {
         let mut late = Vec::new();
         let links = Links::new(&draft.road_spans, &network);
         let (cuts, settings) = (cuts.map_err(io::Error::other)?, &collector.settings);

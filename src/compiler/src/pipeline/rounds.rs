@@ -55,12 +55,14 @@ fn errors(whole: &Compilation) -> Option<BTreeSet<(u64, &'static str)>> {
     (!whole.lacks_errors).then(|| errors.map(|d| (d.finding.span.start, d.finding.rule)).collect())
 }
 
-/// Leaves out every part that has an error. False where something has one that is no part.
+/// Leaves out every part that has an error: first those with which nothing can be built, so that building finds what it does in the others; then those
+/// that could be built. False where something has one that is no part.
 fn leave_out(round: &mut Round, reading: &ReadOptions, without: &mut Exclusions) -> bool {
     let keep = reading.policy.on_error == OnError::ReferenceLine;
     // Two errors in one part are one reason.
     let mut seen = BTreeSet::new();
-    round.causes.iter().all(|cause| {
+    let stops = round.causes.iter().any(|cause| cause.stops);
+    round.causes.iter().filter(|cause| cause.stops == stops).all(|cause| {
         let Some(unit) = round.units.of(cause.start).filter(|_| cause.can_be_left_out()) else {
             return false;
         };

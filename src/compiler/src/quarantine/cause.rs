@@ -4,6 +4,9 @@ use mapd_xodr::source::SourceLocation;
 use mapd_xodr::{Finding, rule_ids};
 use std::sync::Arc;
 
+/// Top-level elements that are parts, or have parts within.
+const PARTS: [&str; 6] = ["road", "junction", "controller", "junctionGroup", "station", "vmsGroup"];
+
 /// A finding because of which something is left out.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Cause {
@@ -17,20 +20,24 @@ pub(crate) struct Cause {
     pub(crate) column: u32,
     /// Whether it stands in no part, whichever part begins before it.
     pub(crate) is_outside: bool,
+    /// Whether nothing can be built with the part.
+    pub(crate) stops: bool,
 }
 
-/// Whether a finding stands between the parts: at a file that was to be included below the root. Nobody knows what is missing there.
+/// Whether a finding stands in no part: in the header, or at the root, as of a file that was to be included there. No part may be left out for it.
 pub(crate) fn is_outside(finding: &Finding) -> bool {
-    finding.rule == rule_ids::INCLUDE && !finding.path.contains('/')
+    let below = finding.path.split('/').nth(1).unwrap_or_default();
+    let element = below.split('[').next().unwrap_or_default();
+    !PARTS.contains(&element)
 }
 
 impl Cause {
-    /// As a finding tells it, which stands at a place.
-    pub(crate) fn new(finding: &Finding, place: &SourceLocation) -> Self {
+    /// As a finding tells it, which stands at a place; whether nothing can be built with the part.
+    pub(crate) fn new(finding: &Finding, place: &SourceLocation, stops: bool) -> Self {
         let (rule, start, message) = (finding.rule, finding.span.start, finding.message.clone());
         let (line, column) = (place.position.line, place.position.column);
         let (file, is_outside) = (place.file.clone(), is_outside(finding));
-        Self { rule, start, message, file, line, column, is_outside }
+        Self { rule, start, message, file, line, column, is_outside, stops }
     }
 
     /// Whether leaving something out would help: not where the document cannot be read on, or nobody knows what is missing.

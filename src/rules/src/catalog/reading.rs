@@ -1,6 +1,7 @@
 //! What reading finds: entries for the ids that the reader has, which it grades by the version of the document.
 //!
-//! Findings of reading stand for ASAM's `xml.valid_schema`, and are as bad in every profile.
+//! Findings of reading stand for ASAM's `xml.valid_schema`. What the schema forbids is an error in the profiles `strict` and `asam`; in the default
+//! profile, only where something cannot be built without it.
 
 use crate::example::Example::{
     self, Document, File, Header, Junction, Lane, Lanes, Objects, PlanView, Road, Words,
@@ -17,9 +18,16 @@ const fn unreadable(id: &'static str, meaning: &'static str, invalid: Example) -
     Rule::error(id, [meaning, because], Reading, [SOUND, invalid]).fixed()
 }
 
-/// What is wrong with one place. Whether a part can be built without it is for the compiler to say.
-const fn error(id: &'static str, meaning: &'static str, invalid: Example) -> Rule {
-    Rule::error(id, [meaning, ""], Reading, [SOUND, invalid])
+/// What is wrong with something that a part may be built from. Whether it can be built without is for the compiler to say.
+const fn needed(id: &'static str, meaning: &'static str, invalid: Example) -> Rule {
+    let because =
+        "it is built from what is missing or unreadable, as listed below; all else is a warning";
+    Rule::error(id, [meaning, because], Reading, [SOUND, invalid])
+}
+
+/// What the schema forbids, and nothing is built from.
+const fn forbidden(id: &'static str, meaning: &'static str, invalid: Example) -> Rule {
+    Rule::warning(id, meaning, Reading, [SOUND, invalid])
 }
 
 const fn warning(id: &'static str, meaning: &'static str, invalid: Example) -> Rule {
@@ -75,24 +83,24 @@ pub(super) static RULES: &[&[Rule]] = &[&[
         "The root is in no namespace, or in one of OpenDRIVE's.",
         File(r#"<OpenDRIVE xmlns="urn:another"><header revMajor="1" revMinor="8"/></OpenDRIVE>"#),
     ),
-    error(ids::HEADER, "There is a header.", File("<OpenDRIVE></OpenDRIVE>")),
-    error(
+    forbidden(ids::HEADER, "There is a header.", File("<OpenDRIVE></OpenDRIVE>")),
+    forbidden(
         ids::VERSION,
-        "The header states a version, and mapd knows it (warning).",
+        "The header states a version, and mapd knows it (otherwise a warning in every profile).",
         File(r#"<OpenDRIVE><header revMajor="1" revMinor="x"/></OpenDRIVE>"#),
     ),
-    error(
+    needed(
         ids::MISSING,
         "Required attributes are present.",
         Lanes(r#"<laneSection><center><lane id="0" type="none"/></center></laneSection>"#),
     ),
-    error(ids::ELEMENT, "Required elements are present.", PlanView("")),
-    error(
+    needed(ids::ELEMENT, "Required elements are present.", PlanView("")),
+    forbidden(
         ids::OCCURRENCE,
         "An element occurs as often as the schema allows.",
         Header("<geoReference>a</geoReference><geoReference>b</geoReference>"),
     ),
-    error(
+    needed(
         ids::CHOICE,
         "Of elements that exclude each other, exactly one is present.",
         PlanView(
@@ -142,20 +150,22 @@ pub(super) static RULES: &[&[Rule]] = &[&[
         "An element outside the standard is small enough to be kept.",
         Words("an element of another vendor's with more text than the limits allow"),
     ),
-    error(
+    needed(
         ids::VALUE,
         "A value can be read as its type.",
         PlanView(r#"<geometry s="0" x="east" y="0" hdg="0" length="100"><line/></geometry>"#),
     ),
-    error(
+    needed(
         ids::FINITE,
         "A number is finite.",
         PlanView(r#"<geometry s="0" x="INF" y="0" hdg="0" length="100"><line/></geometry>"#),
     ),
-    error(
+    needed(
         ids::RANGE,
         "A number is within its range.",
-        PlanView(r#"<geometry s="0" x="0" y="0" hdg="0" length="-1"><line/></geometry>"#),
+        Document(
+            r#"<road id="1" length="-1" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="9"><line/></geometry></planView><lanes><laneSection s="0"><center><lane id="0"/></center></laneSection></lanes></road>"#,
+        ),
     ),
     warning(
         ids::LEXICAL,
@@ -167,12 +177,12 @@ pub(super) static RULES: &[&[Rule]] = &[&[
         "No white space surrounds a value.",
         PlanView(r#"<geometry s="0" x=" 0" y="0" hdg="0" length="100"><line/></geometry>"#),
     ),
-    error(
+    needed(
         ids::EMPTY,
         "An attribute is not empty; for an optional one, this is a warning.",
         PlanView(r#"<geometry s="0" x="" y="0" hdg="0" length="100"><line/></geometry>"#),
     ),
-    error(
+    forbidden(
         ids::ENUMERATION,
         "A word is one of those that the standard lists.",
         Objects(r#"<object id="1" type="lamppost" s="10" t="4" zOffset="0" orientation="none"/>"#),

@@ -18,11 +18,13 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Said at the end of `mapd help check`.
-pub(crate) const HELP: &str = "\
-An error means that the file violates the standard. Only errors that say so remove parts of the map, because needed data is \
-missing or unusable.\n\n\
-Exit codes: 0 the map would be accepted, 3 parts of it would be left out, 4 it would be rejected, 2 wrong usage, 1 the file \
-cannot be read.";
+pub(crate) fn help() -> String {
+    format!(
+        "{}\n\nExit codes: 0 the map would be accepted (no errors), 3 parts of it would be left out, 4 it would be rejected, 2 wrong usage, 1 the file \
+         cannot be read.",
+        mapd_rules::ERROR
+    )
+}
 
 /// What to check, and how.
 #[derive(Args)]

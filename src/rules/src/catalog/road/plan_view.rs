@@ -132,8 +132,7 @@ pub(super) static RULES: &[Rule] = &[
             ),
         ],
     )
-    .within(&[CURVATURE])
-    .strict(Severity::Error),
+    .within(&[CURVATURE]),
     Rule::warning(
         "asam.net:xodr:1.9.0:road.geometry.arc.no_zero_curvature",
         "An arc has a curvature other than 0; use a line otherwise.",
