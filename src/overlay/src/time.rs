@@ -1,10 +1,19 @@
 //! Moments and times of the week, always UTC.
 
-use jiff::Timestamp;
+use jiff::SignedDuration;
+use jiff::civil::DateTime;
+use jiff::fmt::temporal::DateTimeParser;
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
+
+/// 1970, from which moments are counted.
+const EPOCH: DateTime = DateTime::constant(1970, 1, 1, 0, 0, 0, 0);
+
+/// The years that text can say, -9999 to 9999, as seconds since the Unix epoch. The last moments of the year 9999 round to its end.
+const YEARS: RangeInclusive<f64> = -377_705_116_800.0..=253_402_300_800.0;
 
 /// A moment: RFC 3339 text, such as `2026-05-04T07:00:00Z`, or seconds since the Unix epoch.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -20,8 +29,15 @@ impl FromStr for Moment {
         if let Ok(unix_seconds) = text.parse::<f64>() {
             return Self::of_seconds(unix_seconds).ok_or_else(expected);
         }
-        let moment: Timestamp = text.parse().map_err(|_| expected())?;
-        Ok(Self { unix_seconds: moment.as_duration().as_secs_f64() })
+        let seconds = || {
+            // Not a timestamp of the crate, which ends a day before the year 9999 does.
+            let said = DateTimeParser::new().parse_pieces(text).ok()?;
+            let (time, offset) = (said.time()?, said.to_numeric_offset()?);
+            let local = said.date().to_datetime(time).duration_since(EPOCH);
+            let utc = local.checked_sub(SignedDuration::from_secs(offset.seconds().into()))?;
+            Self::of_seconds(utc.as_secs_f64())
+        };
+        seconds().ok_or_else(expected)
     }
 }
 
@@ -31,17 +47,15 @@ fn expected() -> String {
 
 impl Moment {
     fn of_seconds(unix_seconds: f64) -> Option<Self> {
-        // What a timestamp can be written for.
-        let is_known = Timestamp::from_second(unix_seconds as i64).is_ok();
-        (unix_seconds.is_finite() && is_known).then_some(Self { unix_seconds })
+        YEARS.contains(&unix_seconds).then_some(Self { unix_seconds })
     }
 }
 
 impl fmt::Display for Moment {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let nanoseconds = (self.unix_seconds * 1e3).round() as i128 * 1_000_000;
-        match Timestamp::from_nanosecond(nanoseconds) {
-            Ok(moment) => write!(f, "{moment}"),
+        let since = SignedDuration::from_millis((self.unix_seconds * 1e3).round() as i64);
+        match EPOCH.checked_add(since) {
+            Ok(moment) => write!(f, "{moment}Z"),
             Err(_) => write!(f, "{}", self.unix_seconds),
         }
     }
@@ -140,15 +154,37 @@ mod tests {
             ("2026-05-04T07:00:00Z", 1_777_878_000.0),
             ("2026-05-04T09:00:00+02:00", 1_777_878_000.0),
             ("1777878000.5", 1_777_878_000.5),
+            ("2026-05-04T07:00:00.25Z", 1_777_878_000.25),
             ("-1", -1.0),
+            // As programs say "for ever".
+            ("9999-12-31T23:59:59Z", 253_402_300_799.0),
+            ("9999-12-31T23:59:59.999Z", 253_402_300_799.999),
+            ("9999-12-31T23:59:59.9999999Z", 253_402_300_800.0),
+            ("0000-01-01T00:00:00Z", -62_167_219_200.0),
+            ("-009999-01-01T00:00:00Z", -377_705_116_800.0),
         ] {
             let moment: Moment = text.parse().expect(text);
             assert_eq!(moment.unix_seconds, seconds, "{text}");
             assert_eq!(moment.to_string().parse(), Ok(moment), "{text}");
         }
-        for bad in ["", "yesterday", "NaN", "inf", "1e30", "2026-13-01T00:00:00Z", "2026-05-04"] {
+        for bad in [
+            "",
+            "yesterday",
+            "NaN",
+            "inf",
+            "1e30",
+            "2026-13-01T00:00:00Z",
+            "2026-05-04",
+            "2026-05-04T07:00:00",
+            "9999-12-31T23:59:59-01:00",
+            "253402300801",
+        ] {
             assert!(bad.parse::<Moment>().is_err(), "{bad}");
         }
+        let written = |seconds| Moment { unix_seconds: seconds }.to_string();
+        assert_eq!(written(1_777_878_000.0), "2026-05-04T07:00:00Z");
+        assert_eq!(written(1_777_878_000.5), "2026-05-04T07:00:00.5Z");
+        assert_eq!(written(253_402_300_799.0), "9999-12-31T23:59:59Z");
     }
 
     #[test]
