@@ -51,6 +51,54 @@ impl Drop for StopAtEnd<'_> {
     }
 }
 
+/// The process that compiles a file for a daemon, stopped (SIGSTOP) before it has ended: see [`slow`].
+pub struct HeldCompiler(u32);
+
+impl HeldCompiler {
+    /// Finds it, and stops it.
+    ///
+    /// Panics if nobody compiles the file within [`PATIENCE`].
+    pub fn of(file: &Path) -> Self {
+        let name = file.as_os_str().as_encoded_bytes();
+        let found = until(&format!("a compiler of {}", file.display()), || {
+            std::fs::read_dir("/proc").expect("processes").flatten().find_map(|entry| {
+                let line = std::fs::read(entry.path().join("cmdline")).ok()?;
+                let words: Vec<&[u8]> = line.split(|byte| *byte == 0).collect();
+                let is_it = words.contains(&name) && words.contains(&b"--child".as_slice());
+                is_it.then(|| entry.file_name().to_string_lossy().parse().expect("a number"))
+            })
+        });
+        let held = Self(found);
+        held.signal("STOP");
+        held
+    }
+
+    /// Lets it go on.
+    pub fn go_on(&self) {
+        self.signal("CONT");
+    }
+
+    /// SIGKILL.
+    pub fn kill(&self) {
+        self.signal("KILL");
+    }
+
+    fn signal(&self, name: &str) {
+        let status = Command::new("kill").args([&format!("-{name}"), &self.0.to_string()]).status();
+        assert!(status.expect("kill runs").success(), "it has ended");
+    }
+}
+
+/// The text of a map, so long that its compiler is found before it has ended: see [`HeldCompiler`].
+pub fn slow(map: &[u8]) -> Vec<u8> {
+    /// Enough for a tenth of a second, on any machine that is known.
+    const LINES: usize = 1 << 18;
+    let text = String::from_utf8_lossy(map);
+    let (head, end) = text.rsplit_once("</OpenDRIVE>").expect("a map");
+    let line = format!("<!-- {} -->\n", "x".repeat(87));
+    [head, &line.repeat(LINES), "</OpenDRIVE>", end].concat().into_bytes()
+}
+
 /// A domain of its own for each test; everything of it is removed at the end.
 pub struct TestDomain {
     prefix: String,

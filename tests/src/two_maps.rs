@@ -90,6 +90,15 @@ impl TwoMaps {
         self.put_text(&self.texts[number % 2]);
     }
 
+    /// Replaces the file by the same map in a text that takes a while: see [`slow`](crate::test_domain::slow).
+    ///
+    /// # Panics
+    ///
+    /// If the file cannot be replaced.
+    pub fn put_slow(&self, number: usize) {
+        self.put_text(&crate::test_domain::slow(&self.texts[number % 2]));
+    }
+
     /// Replaces the file by this text, at once.
     ///
     /// # Panics

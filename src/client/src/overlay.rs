@@ -7,11 +7,9 @@
 //! What is accepted is laid over the map for all readers. By default a daemon has no such socket and accepts nothing (docs/overlay.md). Nothing here needs
 //! iceoryx2; each proposal is a connection of its own, and none is waited for longer than is said.
 
-use mapd_transport::{Domain, LONGEST_PROPOSAL, proposals_socket};
-use rustix::net::{self, AddressFamily, SocketAddrUnix, SocketFlags, SocketType, socket_with};
+use mapd_transport::{Domain, LONGEST_PROPOSAL, after, connect_until, proposals_socket};
 use std::io::{self, Read, Write};
 use std::net::Shutdown;
-use std::os::unix::net::UnixStream;
 use std::path::PathBuf;
 use std::time::Duration;
 use thiserror::Error;
@@ -134,12 +132,7 @@ impl Proposer {
     }
 
     fn exchange(&self, entry: &str, wait: Duration) -> io::Result<Decision> {
-        // A daemon that is stopped takes no more connections: connecting must not wait for it.
-        let flags = SocketFlags::NONBLOCK | SocketFlags::CLOEXEC;
-        let socket = socket_with(AddressFamily::UNIX, SocketType::STREAM, flags, None)?;
-        net::connect(&socket, &SocketAddrUnix::new(&self.path)?)?;
-        let mut stream = UnixStream::from(socket);
-        stream.set_nonblocking(false)?;
+        let mut stream = connect_until(&self.path, after(wait))?;
         // A timeout of zero would be refused.
         let wait = Some(wait.max(Duration::from_millis(1)));
         stream.set_read_timeout(wait)?;

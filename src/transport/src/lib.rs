@@ -43,6 +43,7 @@
 mod accounts;
 mod attach_lock;
 mod claim;
+mod connecting;
 mod deadline;
 mod domain;
 mod error;
@@ -66,6 +67,7 @@ mod user;
 pub use accounts::{group_id, user_id};
 pub use attach_lock::{AttachGuard, AttachLock};
 pub use claim::{Claim, ClaimError, served_by};
+pub use connecting::connect_until;
 pub use deadline::after;
 pub use domain::{
     DEFAULT_PREFIX, Domain, DomainError, MAX_PREFIX_LENGTH, OWNER_VARIABLE, PREFIX_VARIABLE,

@@ -202,8 +202,13 @@ fn metrics_are_read_over_http_by_this_machine_only() {
     assert!(get(&address, "GET / HTTP/1.1").starts_with("HTTP/1.1 404"));
     assert!(get(&address, "GET /metrics?from=here HTTP/1.1").starts_with("HTTP/1.1 200"));
     let head = get(&address, "HEAD /metrics HTTP/1.1");
+    assert!(head.contains("\r\nCross-Origin-Resource-Policy: same-origin\r\n"), "{head}");
     assert!(head.starts_with("HTTP/1.1 200") && head.ends_with("\r\n\r\n"), "{head}");
-    assert!(get(&address, "POST /metrics HTTP/1.1").starts_with("HTTP/1.1 405"));
+    let post = get(&address, "POST /metrics HTTP/1.1");
+    assert!(
+        post.starts_with("HTTP/1.1 405") && post.contains("\r\nAllow: GET, HEAD\r\n"),
+        "{post}"
+    );
     // Who connects and says nothing, or too much, is let go; the page is there again for others, and the map all along.
     let silent = TcpStream::connect(&address).expect("connects");
     let client = mapd_client::Client::connect_in(&place.domain(), "town", PATIENCE);
@@ -219,6 +224,42 @@ fn metrics_are_read_over_http_by_this_machine_only() {
     let refused = place.command().args(open).output().expect("ends");
     let said = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert!(refused.status.code() == Some(2) && said.contains("--metrics-open"), "{said}");
+}
+
+/// A page of somebody else whose name leads here, as by DNS rebinding, read the names of all maps.
+#[test]
+fn metrics_are_asked_for_by_a_name_of_this_machine() {
+    let place = place();
+    for (listen, is_open) in [("127.0.0.1:0", false), ("0.0.0.0:0", true)] {
+        let args = ["--log", "json", "--metrics", listen, "--metrics-open"];
+        let args = if is_open { &args[..] } else { &args[..4] };
+        let mut daemon = Logged::start(&mut place.command(), args);
+        let address = daemon.event("metrics at")["address"].as_str().expect("text").to_owned();
+        let port = address.rsplit(':').next().expect("a port").to_owned();
+        let status = |method: &str, hosts: &[&str]| {
+            let mut stream = TcpStream::connect(format!("127.0.0.1:{port}")).expect("connects");
+            let hosts: String = hosts.iter().map(|host| format!("Host: {host}\r\n")).collect();
+            write!(stream, "{method} /metrics HTTP/1.1\r\n{}\r\n", hosts.replace("PORT", &port))
+                .expect("written");
+            let mut answer = String::new();
+            stream.read_to_string(&mut answer).expect("an answer");
+            let is_told = answer.contains("mapd_map");
+            (answer.split(' ').nth(1).expect("a status").to_owned(), is_told)
+        };
+        let [ok, no] = [("200".to_owned(), true), ("403".to_owned(), false)];
+        for host in ["127.0.0.1:PORT", "localhost:PORT", "[::1]:PORT"] {
+            assert_eq!(status("GET", &[host]), ok, "{host}");
+        }
+        let other = status("GET", &["192.0.2.1:PORT"]);
+        assert_eq!(other, if is_open { ok.clone() } else { no.clone() });
+        for host in ["evil.example:PORT", "127.0.0.1.evil.example:PORT", "127.0.0.1:1", "evil"] {
+            assert_eq!(status("GET", &[host]), no, "{host}");
+            assert_eq!(status("HEAD", &[host]), no, "{host}");
+        }
+        assert_eq!(status("GET", &[]), no);
+        assert_eq!(status("GET", &["127.0.0.1:PORT", "evil.example:PORT"]), no);
+        assert_eq!(daemon.terminate(), Some(0));
+    }
 }
 
 /// Metrics and status said that nobody subscribes, whoever did; then they counted the daemon's own subscriptions, by which it looks at what it serves.
@@ -254,14 +295,17 @@ fn a_failed_reload_is_a_warning() {
     let mut command = place.command();
     let mut daemon = Logged::spawn(command.arg("--load").arg(&file).args(["--log", "json"]));
     daemon.event("serving");
-    std::fs::remove_file(&file).expect("removed");
+    std::fs::write(&file, mapd_archive::MAGIC).expect("written");
     let _ = place.reload("town");
-    let compiler = daemon.event("No such file");
+    let compiler = daemon.event("is an archive");
     let said = compiler["message"].as_str().expect("text");
     assert!(compiler["level"] == "ERROR" && !said.starts_with("mapd:"), "{compiler}");
     let event = daemon.event("reload: failed");
     assert_eq!((&event["level"], &event["map"]), (&"WARN".into(), &"town".into()), "{event}");
-    assert!(event["error"].as_str().is_some_and(|error| error.contains("No such file")), "{event}");
+    assert!(
+        event["error"].as_str().is_some_and(|error| error.contains("is an archive")),
+        "{event}"
+    );
     assert_eq!(daemon.terminate(), Some(0));
 }
 
@@ -278,7 +322,7 @@ fn no_reader_of_metrics_waits_for_another() {
         let idle: Vec<_> =
             (0..IDLE).map(|_| TcpStream::connect(&address).expect("connects")).collect();
         let mut slow = TcpStream::connect(&address).expect("connects");
-        write!(slow, "GET /metrics HTTP/1.1\r\n").expect("written");
+        write!(slow, "GET /metrics HTTP/1.1\r\nHost: {address}\r\n").expect("written");
         assert!(metric(&address, "mapd_map_generation{map=\"town\"}").is_some());
         let last = idle.last().expect("one");
         last.set_nonblocking(true).expect("set");

@@ -257,6 +257,33 @@ fn hostile_proposals() {
     assert_eq!(scene.closed_by(), None);
 }
 
+/// Of forty proposals beside connections that said nothing, nine were answered.
+#[test]
+fn who_says_nothing_keeps_no_proposal_out() {
+    let scene = Scene::new();
+    let _daemon = scene.serve();
+    let path = proposals_socket(&scene.domain.domain(), "town");
+    let mut idle = Vec::new();
+    for _ in 0..40 {
+        idle.extend((0..40).map(|_| UnixStream::connect(&path).expect("connects")));
+        scene.refused("nobody", &entry("a", "wet", [10, 20], ""), "nobody");
+        idle.drain(..idle.len() - 40);
+    }
+    // What has been said of one that loses its place is no proposal, however whole it looks.
+    let whole = format!("probe\n{}", entry("a", "wet", [10, 20], ""));
+    let mut said: Vec<_> = (0..60)
+        .map(|_| {
+            let mut stream = UnixStream::connect(&path).expect("connects");
+            stream.write_all(whole.as_bytes()).expect("written");
+            stream
+        })
+        .collect();
+    let mut answer = String::new();
+    // It may be reset.
+    let _ = said[0].read_to_string(&mut answer);
+    assert_eq!((answer.as_str(), scene.entries()), ("", 0));
+}
+
 /// Without a policy nobody listens; one that is wrong is told by line.
 #[test]
 fn by_default_nothing_is_accepted() {

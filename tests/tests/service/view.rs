@@ -133,3 +133,70 @@ fn who_listens_hears_of_every_generation_and_overlay() {
     assert_eq!(status["generation"], newest.generation());
     assert_eq!(status["subscribers"], 1, "the view itself only observes");
 }
+
+fn head_and_body(view: &View, request: &str) -> (String, Vec<u8>) {
+    let mut answer = Vec::new();
+    view.send(request).read_to_end(&mut answer).expect("an answer");
+    let end = answer.windows(4).position(|end| end == b"\r\n\r\n").expect("a head") + 4;
+    let body = answer.split_off(end);
+    (String::from_utf8(answer).expect("text"), body)
+}
+
+/// `HEAD` was refused, without a word of what is not.
+#[test]
+fn head_is_answered_as_get_without_the_body() {
+    let (place, file) = (place(), mapd_tests::carried("one_road.xodr"));
+    let view = View::start(&place, &[file.to_str().expect("a path")]);
+    let ask = |method: &str, path: &str, host: &str| {
+        head_and_body(&view, &format!("{method} {path} HTTP/1.1\r\nHost: {host}:PORT\r\n\r\n"))
+    };
+    for path in ["/", "/map/0", "/overlay/0", "/findings/0", "/status/0", "/nothing"] {
+        for host in ["127.0.0.1", "evil.example"] {
+            let (head, body) = ask("GET", path, host);
+            let length = head.lines().find_map(|line| line.strip_prefix("Content-Length: "));
+            assert_eq!(length, Some(body.len().to_string().as_str()), "{path} {host}");
+            // A refusal's length is that of what is sent.
+            let (status, _) = head.split_once("Content-Length").expect("a length");
+            let (short, nothing) = ask("HEAD", path, host);
+            assert!(short.starts_with(status) && nothing.is_empty(), "{path} {host}: {short}");
+            assert!(short == head || !status.contains(" 200 "), "{path} {host}: {short}");
+        }
+    }
+    let (head, body) = ask("HEAD", "/events/0", "127.0.0.1");
+    assert!(head.contains("text/event-stream") && body.is_empty(), "{head}");
+    for method in ["POST", "PUT", "OPTIONS", "DELETE", "CONNECT"] {
+        let (head, _) = ask(method, "/", "127.0.0.1");
+        assert!(head.starts_with("HTTP/1.1 405 "), "{method}: {head}");
+        assert!(head.contains("\r\nAllow: GET, HEAD\r\n"), "{method}: {head}");
+    }
+}
+
+/// Sixty-four connections that said nothing had everybody else told 503, for ten seconds each time.
+#[test]
+fn who_says_nothing_keeps_nobody_out() {
+    const MANY: usize = 100;
+    let (place, file) = (place(), mapd_tests::carried("one_road.xodr"));
+    let view = View::start(&place, &[file.to_str().expect("a path")]);
+    let is_answered = || {
+        let (status, body) = view.ask("GET /map/0 HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n");
+        assert_eq!((status, body), (200, open(&file).bytes().to_vec()));
+    };
+    let mut idle: Vec<_> = (0..MANY).map(|_| view.send("GET / HTTP/1.1\r\n")).collect();
+    is_answered();
+    assert_eq!(idle[0].read(&mut [0]).unwrap_or(0), 0, "the oldest has made room");
+    let events = "GET /events/0 HTTP/1.1\r\nHost: 127.0.0.1:PORT\r\n\r\n";
+    let mut listening: Vec<_> = (0..MANY)
+        .map(|_| {
+            let (mut one, mut line) = (view.send(events), String::new());
+            one.read_line(&mut line).expect("an answer");
+            assert!(line.contains("200"), "{line}");
+            one
+        })
+        .collect();
+    is_answered();
+    let mut rest = Vec::new();
+    // It may be reset.
+    let _ = listening[0].read_to_end(&mut rest);
+    drop((idle, listening));
+    is_answered();
+}

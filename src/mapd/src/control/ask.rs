@@ -4,10 +4,8 @@ use super::message::{Request, Response};
 use super::{LONGEST_LINE, socket_path};
 use crate::similar::did_you_mean;
 use mapd_client::Domain;
-use mapd_transport::list_maps;
-use rustix::net::{self, AddressFamily, SocketAddrUnix, SocketFlags, SocketType, socket_with};
+use mapd_transport::{after, connect_until, list_maps};
 use std::io::{self, BufRead, BufReader, Read, Write};
-use std::os::unix::net::UnixStream;
 use std::time::Duration;
 use thiserror::Error;
 
@@ -120,18 +118,8 @@ pub fn ask(
     exchange(domain, map, request, wait).map_err(fail)
 }
 
-/// Connects without waiting: to a daemon that takes no more requests, as one that is stopped, connecting waits for ever.
-fn connect(domain: &Domain, map: &str) -> io::Result<UnixStream> {
-    let flags = SocketFlags::NONBLOCK | SocketFlags::CLOEXEC;
-    let socket = socket_with(AddressFamily::UNIX, SocketType::STREAM, flags, None)?;
-    net::connect(&socket, &SocketAddrUnix::new(socket_path(domain, map))?)?;
-    let stream = UnixStream::from(socket);
-    stream.set_nonblocking(false)?;
-    Ok(stream)
-}
-
 fn exchange(domain: &Domain, map: &str, request: &Request, wait: Duration) -> io::Result<Response> {
-    let mut stream = connect(domain, map)?;
+    let mut stream = connect_until(&socket_path(domain, map), after(wait))?;
     // A timeout of zero would be refused.
     let wait = Some(wait.max(Duration::from_millis(1)));
     stream.set_read_timeout(wait)?;

@@ -2,6 +2,7 @@
 
 use super::message::{Request, Response};
 use super::socket_path;
+use crate::places::{Full, Place, Places, Stage};
 use mapd_client::Domain;
 use mapd_client::overlay::Decision;
 use mapd_transport::{LONGEST_PROPOSAL, Share, proposals_socket};
@@ -13,7 +14,6 @@ use std::os::unix::fs::PermissionsExt;
 use std::os::unix::net::{UnixListener, UnixStream};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -32,15 +32,26 @@ const LONGEST_REQUEST: usize = 16 << 20;
 /// Pause where connections cannot be taken, as without descriptors that are left.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Requests that are answered at a time; further ones are refused.
-const MOST_CONNECTIONS: usize = 32;
+/// Connections at a time.
+const MOST_CONNECTIONS: usize = 128;
+
+/// Connections of one user at a time. One more takes the place of the oldest that has sent nothing yet; if all of them are answered, it is refused.
+const MOST_OF_A_USER: usize = MOST_CONNECTIONS / 4;
 
 /// What is done with connections, by the number of their socket.
 trait Service: Send + Sync {
     /// Serves one, in a thread of its own; may take as long as what is asked for takes.
-    fn serve(&self, socket: usize, stream: &UnixStream) -> io::Result<()>;
+    fn serve(&self, socket: usize, client: &Client<'_>) -> io::Result<()>;
     /// Answers one that is too many, quickly.
     fn refuse(&self, stream: &UnixStream, reason: String) -> io::Result<()>;
+}
+
+/// A process that has connected.
+struct Client<'a> {
+    stream: &'a UnixStream,
+    /// Its user, as the kernel knows it.
+    user: u32,
+    place: Place,
 }
 
 /// Listens on the sockets of a daemon's maps, in a thread of its own. Dropping it removes them: do so while the maps are
@@ -112,8 +123,10 @@ impl ControlListener {
 struct Requests<F>(F);
 
 impl<F: Fn(Request) -> Response + Send + Sync> Service for Requests<F> {
-    fn serve(&self, _: usize, stream: &UnixStream) -> io::Result<()> {
+    fn serve(&self, _: usize, client: &Client<'_>) -> io::Result<()> {
+        let stream = client.stream;
         let line = read(stream, LONGEST_REQUEST, true)?;
+        client.place.go_on(Stage::IsAnswered)?;
         if line.is_empty() {
             return Ok(());
         }
@@ -135,10 +148,13 @@ impl<F: Fn(Request) -> Response + Send + Sync> Service for Requests<F> {
 struct Proposals<F>(F);
 
 impl<F: Fn(usize, u32, &[u8]) -> Decision + Send + Sync> Service for Proposals<F> {
-    fn serve(&self, socket: usize, mut stream: &UnixStream) -> io::Result<()> {
-        let user = rustix::net::sockopt::socket_peercred(stream)?.uid.as_raw();
-        let decision = match read(stream, LONGEST_PROPOSAL, false) {
-            Ok(text) => self.0(socket, user, &text),
+    fn serve(&self, socket: usize, client: &Client<'_>) -> io::Result<()> {
+        let mut stream = client.stream;
+        let text = read(stream, LONGEST_PROPOSAL, false);
+        // What has been read of one that loses its place is not all that was to be said.
+        client.place.go_on(Stage::IsAnswered)?;
+        let decision = match text {
+            Ok(text) => self.0(socket, client.user, &text),
             Err(error) if error.kind() == io::ErrorKind::InvalidData => Decision::Refused {
                 reason: format!(
                     "expected at most {LONGEST_PROPOSAL} bytes within {} s",
@@ -169,7 +185,7 @@ impl Drop for ControlListener {
 }
 
 fn listen(stopped: &UnixStream, listeners: &[UnixListener], service: &Arc<dyn Service>) {
-    let busy = Arc::new(AtomicUsize::new(0));
+    let places = Places::new(MOST_CONNECTIONS, MOST_OF_A_USER, Stage::Asks);
     loop {
         let mut waits: Vec<PollFd<'_>> =
             listeners.iter().map(|listener| PollFd::new(listener, PollFlags::IN)).collect();
@@ -186,7 +202,7 @@ fn listen(stopped: &UnixStream, listeners: &[UnixListener], service: &Arc<dyn Se
         for (socket, listener) in listeners.iter().enumerate() {
             loop {
                 match listener.accept() {
-                    Ok((stream, _)) => connect(stream, socket, &busy, service),
+                    Ok((stream, _)) => connect(stream, socket, &places, service),
                     Err(error) if error.kind() == io::ErrorKind::WouldBlock => break,
                     Err(error) => {
                         tracing::debug!(%error, "a request cannot be taken: {error}");
@@ -199,27 +215,30 @@ fn listen(stopped: &UnixStream, listeners: &[UnixListener], service: &Arc<dyn Se
     }
 }
 
-/// Hands a connection to a thread, if there are not too many.
-fn connect(stream: UnixStream, socket: usize, busy: &Arc<AtomicUsize>, service: &Arc<dyn Service>) {
-    /// Counts a connection as long as it lives.
-    struct Busy(Arc<AtomicUsize>);
-    impl Drop for Busy {
-        fn drop(&mut self) {
-            self.0.fetch_sub(1, Ordering::Relaxed);
+/// Hands a connection to a thread, if there is a place for it.
+fn connect(stream: UnixStream, socket: usize, places: &Arc<Places>, service: &Arc<dyn Service>) {
+    let Ok(peer) = rustix::net::sockopt::socket_peercred(&stream) else { return };
+    let (user, stream, service) = (peer.uid.as_raw(), Arc::new(stream), service.clone());
+    let place = match places.take(user, stream.clone()) {
+        Ok(place) => place,
+        Err(full) => {
+            let reason = match full {
+                Full::OfUser => format!(
+                    "the daemon is already answering {MOST_OF_A_USER} requests of user {user}"
+                ),
+                Full::OfAll => {
+                    format!("the daemon is already answering {MOST_CONNECTIONS} requests")
+                }
+            };
+            // A client that is refused and has closed the socket needs no answer.
+            let _ = prepare(&stream).and_then(|()| service.refuse(&stream, reason));
+            return;
         }
-    }
-    let refused = busy.fetch_add(1, Ordering::Relaxed) >= MOST_CONNECTIONS;
-    let (busy, service) = (Busy(busy.clone()), service.clone());
-    if refused {
-        let reason = format!("the daemon is already answering {MOST_CONNECTIONS} requests");
-        // A client that is refused and has closed the socket needs no answer.
-        let _ = prepare(&stream).and_then(|()| service.refuse(&stream, reason));
-        return;
-    }
+    };
     let work = move || {
-        let _busy = busy;
+        let client = Client { stream: &stream, user, place };
         // A client that has closed the socket needs no answer.
-        let _ = prepare(&stream).and_then(|()| service.serve(socket, &stream));
+        let _ = prepare(&stream).and_then(|()| service.serve(socket, &client));
     };
     // Without a thread the connection is closed: the daemon goes on.
     let _ = std::thread::Builder::new().name("request".to_owned()).spawn(work);

@@ -118,7 +118,7 @@ impl Oversight {
         let page = port.map(|listener| {
             let board = board.clone();
             let text = move || metrics::text(&board.status_with_subscribers());
-            page::Page::serve(listener, text).context("--metrics")
+            page::Page::serve(listener, args.metrics_open, text).context("--metrics")
         });
         let page = page.transpose()?;
         let stop = Arc::new(Stop::default());

@@ -3,6 +3,7 @@
 //! A server of the usual kind would bring an asynchronous runtime for a page that is read every 15 seconds. One thread, which
 //! nothing else waits for, has all connections side by side: none waits for another, and none blocks.
 
+use crate::http::{self, Door, HEADERS, LONGEST_HEAD};
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use std::fmt;
 use std::io::{self, Read, Write};
@@ -19,9 +20,6 @@ const MOST_CONNECTIONS: usize = 64;
 
 /// Pause where connections cannot be taken.
 const PAUSE: Duration = Duration::from_millis(100);
-
-/// Longest head of a request \[bytes\].
-const LONGEST_HEAD: usize = 8 << 10;
 
 const CONTENT_TYPE: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
 
@@ -41,13 +39,16 @@ impl Page {
     /// Errors: no thread can be had.
     pub(crate) fn serve(
         listener: TcpListener,
+        is_open: bool,
         text: impl Fn() -> Result<String, fmt::Error> + Send + 'static,
     ) -> io::Result<Self> {
         listener.set_nonblocking(true)?;
-        tracing::info!(address = %listener.local_addr()?, "metrics at http://{}/metrics", listener.local_addr()?);
+        let address = listener.local_addr()?;
+        tracing::info!(%address, "metrics at http://{address}/metrics");
+        let door = Door { port: address.port(), is_open };
         let (stop, stopped) = UnixStream::pair()?;
         let builder = std::thread::Builder::new().name("metrics".to_owned());
-        let thread = builder.spawn(move || listen(&stopped, &listener, &text))?;
+        let thread = builder.spawn(move || listen(&stopped, &listener, door, &text))?;
         Ok(Self { stop: Some(stop), thread: Some(thread) })
     }
 }
@@ -62,7 +63,7 @@ impl Drop for Page {
     }
 }
 
-fn listen(stopped: &UnixStream, listener: &TcpListener, text: Text<'_>) {
+fn listen(stopped: &UnixStream, listener: &TcpListener, door: Door, text: Text<'_>) {
     // In the order in which they came.
     let mut connections: Vec<Connection> = Vec::new();
     loop {
@@ -88,22 +89,22 @@ fn listen(stopped: &UnixStream, listener: &TcpListener, text: Text<'_>) {
         connections.retain_mut(|one| {
             let is_ready = ready.next().is_some_and(|ready| *ready);
             // A client that closes the connection, sends nothing within the time limit, or sends too much gets no answer.
-            now < one.until && (!is_ready || one.go_on(text).is_ok_and(|is_done| !is_done))
+            now < one.until && (!is_ready || one.go_on(door, text).is_ok_and(|is_done| !is_done))
         });
         if *is_asked {
-            take(listener, &mut connections, text);
+            take(listener, &mut connections, door, text);
         }
     }
 }
 
 /// Accepts all waiting connections.
-fn take(listener: &TcpListener, connections: &mut Vec<Connection>, text: Text<'_>) {
+fn take(listener: &TcpListener, connections: &mut Vec<Connection>, door: Door, text: Text<'_>) {
     loop {
         match listener.accept() {
             Ok((stream, _)) => {
                 let Ok(mut one) = Connection::new(stream) else { continue };
                 // A client whose request has arrived with the connection is answered before it takes another one's place.
-                if !one.go_on(text).is_ok_and(|is_done| !is_done) {
+                if !one.go_on(door, text).is_ok_and(|is_done| !is_done) {
                     continue;
                 }
                 if connections.len() >= MOST_CONNECTIONS {
@@ -143,8 +144,8 @@ impl Connection {
     /// Reads and writes what can be; whether the answer has been written.
     ///
     /// Errors: the client has closed the connection, or its request is too long.
-    fn go_on(&mut self, text: Text<'_>) -> io::Result<bool> {
-        match self.read().and_then(|()| self.write(text)) {
+    fn go_on(&mut self, door: Door, text: Text<'_>) -> io::Result<bool> {
+        match self.read().and_then(|()| self.write(door, text)) {
             Err(error) if error.kind() == io::ErrorKind::WouldBlock => Ok(false),
             other => other.map(|()| true),
         }
@@ -153,7 +154,7 @@ impl Connection {
     /// Reads up to the empty line; the request has no body.
     fn read(&mut self) -> io::Result<()> {
         let mut buffer = [0; 1024];
-        while self.answer.is_none() && !self.head.windows(4).any(|end| end == b"\r\n\r\n") {
+        while self.answer.is_none() && !http::is_whole(&self.head) {
             if self.head.len() > LONGEST_HEAD {
                 return Err(io::ErrorKind::InvalidData.into());
             }
@@ -169,8 +170,8 @@ impl Connection {
         Ok(())
     }
 
-    fn write(&mut self, text: Text<'_>) -> io::Result<()> {
-        let answer = self.answer.get_or_insert_with(|| answer(&self.head, text));
+    fn write(&mut self, door: Door, text: Text<'_>) -> io::Result<()> {
+        let answer = self.answer.get_or_insert_with(|| answer(&self.head, door, text));
         while let Some(left) = answer.get(self.written..).filter(|left| !left.is_empty()) {
             match self.stream.write(left) {
                 Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
@@ -184,26 +185,21 @@ impl Connection {
 }
 
 /// The answer to a request.
-fn answer(head: &[u8], text: Text<'_>) -> Vec<u8> {
+fn answer(head: &[u8], door: Door, text: Text<'_>) -> Vec<u8> {
     let head = String::from_utf8_lossy(head);
-    let mut words = head.split(' ');
-    let (method, path) = (words.next(), words.next());
-    // What is asked beyond the path chooses nothing here.
-    let path = path.map(|path| path.split_once('?').map_or(path, |(path, _)| path));
-    let (status, body) = match (method, path) {
-        (Some("GET" | "HEAD"), Some("/metrics")) => match text() {
-            Ok(text) => ("200 OK", text),
-            Err(_) => ("500 Internal Server Error", String::new()),
+    let (status, more, body) = match http::understood(&head, door) {
+        Ok(asked) if asked.path == "/metrics" => match text() {
+            Ok(text) => ("200 OK", String::new(), text),
+            Err(_) => ("500 Internal Server Error", String::new(), String::new()),
         },
-        (Some("GET" | "HEAD"), Some(_)) => {
-            ("404 Not Found", "the metrics are at /metrics\n".to_owned())
-        }
-        _ => ("405 Method Not Allowed", String::new()),
+        Ok(_) => ("404 Not Found", String::new(), "the metrics are at /metrics\n".to_owned()),
+        Err(refusal) => (refusal.status, refusal.more, format!("{}\n", refusal.message)),
     };
+    let kind = if status.starts_with("200") { CONTENT_TYPE } else { "text/plain" };
     let length = body.len();
-    let body = if method == Some("HEAD") { "" } else { body.as_str() };
+    let body = if head.starts_with("HEAD ") { "" } else { body.as_str() };
     format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {CONTENT_TYPE}\r\nContent-Length: {length}\r\nConnection: close\r\n\r\n{body}"
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\n{more}{HEADERS}Content-Length: {length}\r\n\r\n{body}"
     )
     .into_bytes()
 }

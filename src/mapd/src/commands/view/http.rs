@@ -1,41 +1,32 @@
 //! Just enough of HTTP for one page: `GET` of the page, of an archive, of what is laid over it, and of events.
-//!
-//! A page of somebody else that knows the port must not read maps. It is kept out by the names that a request may have for this
-//! machine (a name of its own that leads here is refused), and by browsers themselves, because nothing here allows another origin.
 
 use super::served::Served;
-use anyhow::Result;
+use crate::http::{self, Door, HEADERS, LONGEST_HEAD};
+use crate::places::{Place, Places, Stage};
 use mapd_web::page;
 use std::io::{self, Read, Write};
-use std::net::{IpAddr, TcpListener, TcpStream};
+use std::net::{TcpListener, TcpStream};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// How long a request may take to arrive, and a piece of an answer to be taken.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Connections at a time; further ones are told to try again later.
+/// Connections at a time. One more takes the place of another: nobody can keep others out.
 const MOST_CONNECTIONS: usize = 64;
-/// Longest head of a request \[bytes\].
-const LONGEST_HEAD: usize = 8 << 10;
 /// From one sign of life to the next where nothing happens.
 const SIGN_OF_LIFE: Duration = Duration::from_secs(15);
 /// Pause where connections cannot be taken.
 const PAUSE: Duration = Duration::from_millis(100);
 
-const HEADERS: &str = "Cache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\nX-Frame-Options: DENY\r\nConnection: close\r\n";
-
 /// The maps, and who may look.
 pub(super) struct Server {
     maps: Vec<Served>,
-    port: u16,
-    is_open: bool,
-    connections: AtomicUsize,
+    door: Door,
 }
 
 impl Server {
-    pub(super) fn new(maps: Vec<Served>, port: u16, is_open: bool) -> Self {
-        Self { maps, port, is_open, connections: AtomicUsize::new(0) }
+    pub(super) fn new(maps: Vec<Served>, door: Door) -> Self {
+        Self { maps, door }
     }
 
     /// Begins to follow live maps.
@@ -51,71 +42,66 @@ impl Server {
     }
 
     /// Answers for ever.
-    ///
-    /// Errors: no thread can be had.
-    pub(super) fn serve(self: &Arc<Self>, listener: &TcpListener) -> Result<()> {
+    pub(super) fn serve(self: &Arc<Self>, listener: &TcpListener) -> ! {
+        // Of users nothing is known.
+        let places = Places::new(MOST_CONNECTIONS, MOST_CONNECTIONS, Stage::Takes);
         loop {
             let Ok((stream, _)) = listener.accept() else {
                 std::thread::sleep(PAUSE);
                 continue;
             };
+            let stream = Arc::new(stream);
+            let Ok(place) = places.take(0, stream.clone()) else {
+                // The buffer of a connection that is new has room for it. Who hangs up needs no answer.
+                let _ = refuse(&stream, "503 Service Unavailable", "", "too many connections");
+                continue;
+            };
+            // Who listens has lost its place, perhaps.
+            self.maps.iter().for_each(Served::wake);
             let server = self.clone();
             let answer = move || {
                 // Who hangs up needs no answer.
-                let _ = server.answer(stream);
+                let _ = server.answer(&stream, &place);
             };
-            std::thread::Builder::new().name("answer".to_owned()).spawn(answer)?;
+            // Without a thread the connection is closed.
+            if std::thread::Builder::new().name("answer".to_owned()).spawn(answer).is_err() {
+                std::thread::sleep(PAUSE);
+            }
         }
     }
 
-    fn answer(&self, mut stream: TcpStream) -> io::Result<()> {
-        stream.set_read_timeout(Some(PATIENCE))?;
+    fn answer(&self, stream: &TcpStream, place: &Place) -> io::Result<()> {
         stream.set_write_timeout(Some(PATIENCE))?;
-        let _place = ConnectionSlot(&self.connections);
-        if self.connections.fetch_add(1, Ordering::Relaxed) >= MOST_CONNECTIONS {
-            return refuse(&mut stream, "503 Service Unavailable", "too many connections");
-        }
-        let head = read_head(&mut stream)?;
-        let mut words = head.split(' ');
-        let (method, path) = (words.next(), words.next().unwrap_or_default());
-        if method != Some("GET") {
-            return refuse(&mut stream, "405 Method Not Allowed", "only GET");
-        }
-        if !self.is_for_us(host(&head)) {
-            let message = "this name is not this machine's; --open allows its addresses";
-            return refuse(&mut stream, "403 Forbidden", message);
-        }
-        // What is asked beyond the path is for the page.
-        let path = path.split_once('?').map_or(path, |(path, _)| path);
+        let head = read_head(stream)?;
+        place.go_on(Stage::IsAnswered)?;
+        let (asked, is_head) = match http::understood(&head, self.door) {
+            Ok(asked) => (Ok(asked.path), asked.is_head),
+            Err(refusal) => (Err(refusal), head.starts_with("HEAD ")),
+        };
+        let reply = Reply { stream, is_head, place };
+        let path = match asked {
+            Ok(path) => path,
+            Err(refusal) => return reply.refuse(refusal.status, &refusal.more, refusal.message),
+        };
         let numbered = |prefix: &str| {
             let number = path.strip_prefix(prefix)?.parse::<usize>().ok()?;
             self.maps.get(number)
         };
         if path == "/" {
-            self.page(&mut stream)
+            self.page(reply)
         } else if let Some(map) = numbered("/map/") {
-            archive(map, &mut stream)
+            archive(map, reply)
         } else if let Some(map) = numbered("/overlay/") {
-            overlay(map, &mut stream)
+            overlay(map, reply)
         } else if let Some(map) = numbered("/findings/") {
-            findings(map, &mut stream)
+            findings(map, reply)
         } else if let Some(map) = numbered("/events/") {
-            events(map, &mut stream)
+            events(map, reply)
         } else if let Some(map) = numbered("/status/") {
-            status(map, &mut stream)
+            status(map, reply)
         } else {
-            refuse(&mut stream, "404 Not Found", "the page is at /")
+            reply.refuse("404 Not Found", "", "the page is at /")
         }
-    }
-
-    /// Whether a `Host` names this machine and port: by an address of its own, or as `localhost`.
-    fn is_for_us(&self, host: Option<&str>) -> bool {
-        let Some((name, port)) = host.and_then(|host| host.rsplit_once(':')) else { return false };
-        let name = name.trim_start_matches('[').trim_end_matches(']');
-        let address = name.parse::<IpAddr>();
-        let is_named = name.eq_ignore_ascii_case("localhost")
-            || address.is_ok_and(|address| self.is_open || address.is_loopback());
-        is_named && port.parse() == Ok(self.port)
     }
 
     /// What the page calls the maps: those of the same name as they were named in full.
@@ -128,33 +114,26 @@ impl Server {
         self.maps.iter().map(name).collect()
     }
 
-    fn page(&self, stream: &mut TcpStream) -> io::Result<()> {
+    fn page(&self, reply: Reply<'_>) -> io::Result<()> {
         let names = self.names();
         let mut body = Vec::new();
         page::write(page::Content::Served(&names), "mapd", &mut body)?;
-        ok(stream, "text/html; charset=utf-8", &format!("Content-Length: {}\r\n", body.len()))?;
-        stream.write_all(&body)
-    }
-}
-
-/// A connection's place, which is free again when it ends.
-struct ConnectionSlot<'a>(&'a AtomicUsize);
-
-impl Drop for ConnectionSlot<'_> {
-    fn drop(&mut self) {
-        self.0.fetch_sub(1, Ordering::Relaxed);
+        reply.whole("text/html; charset=utf-8", "", &body)
     }
 }
 
 /// Reads up to the empty line.
 ///
-/// Errors: the peer has closed the connection, sends nothing in time, or too much.
-fn read_head(stream: &mut TcpStream) -> io::Result<String> {
+/// Errors: the peer has closed the connection, does not send it in time, or sends too much.
+fn read_head(mut stream: &TcpStream) -> io::Result<String> {
+    let until = Instant::now() + PATIENCE;
     let (mut head, mut buffer) = (Vec::new(), [0; 1024]);
-    while !head.windows(4).any(|end| end == b"\r\n\r\n") {
-        if head.len() > LONGEST_HEAD {
+    while !http::is_whole(&head) {
+        let left = until.saturating_duration_since(Instant::now());
+        if left.is_zero() || head.len() > LONGEST_HEAD {
             return Err(io::ErrorKind::InvalidData.into());
         }
+        stream.set_read_timeout(Some(left))?;
         match stream.read(&mut buffer)? {
             0 => return Err(io::ErrorKind::UnexpectedEof.into()),
             count => head.extend_from_slice(buffer.get(..count).unwrap_or_default()),
@@ -163,73 +142,83 @@ fn read_head(stream: &mut TcpStream) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&head).into_owned())
 }
 
-/// The value of the only `Host`.
-fn host(head: &str) -> Option<&str> {
-    let fields = head.lines().skip(1).filter_map(|line| line.split_once(':'));
-    let mut hosts = fields.filter(|(name, _)| name.eq_ignore_ascii_case("host"));
-    match (hosts.next(), hosts.next()) {
-        (Some((_, host)), None) => Some(host.trim()),
-        _ => None,
+/// Where an answer goes.
+#[derive(Clone, Copy)]
+struct Reply<'a> {
+    stream: &'a TcpStream,
+    /// Whether the body is left out.
+    is_head: bool,
+    place: &'a Place,
+}
+
+impl Reply<'_> {
+    /// Begins an answer whose body follows. `more`: further lines of its head.
+    fn begin(mut self, kind: &str, more: &str) -> io::Result<()> {
+        self.place.go_on(Stage::Takes)?;
+        write!(self.stream, "HTTP/1.1 200 OK\r\nContent-Type: {kind}\r\n{HEADERS}{more}\r\n")
+    }
+
+    fn whole(mut self, kind: &str, more: &str, body: &[u8]) -> io::Result<()> {
+        self.begin(kind, &format!("Content-Length: {}\r\n{more}", body.len()))?;
+        if self.is_head { Ok(()) } else { self.stream.write_all(body) }
+    }
+
+    fn refuse(self, status: &str, more: &str, message: &str) -> io::Result<()> {
+        self.place.go_on(Stage::Takes)?;
+        let message = if self.is_head { "" } else { message };
+        refuse(self.stream, status, more, message)
     }
 }
 
-fn ok(stream: &mut TcpStream, kind: &str, more: &str) -> io::Result<()> {
-    write!(stream, "HTTP/1.1 200 OK\r\nContent-Type: {kind}\r\n{HEADERS}{more}\r\n")
-}
-
-fn refuse(stream: &mut TcpStream, status: &str, message: &str) -> io::Result<()> {
-    let length = message.len() + 1;
+fn refuse(mut stream: &TcpStream, status: &str, more: &str, message: &str) -> io::Result<()> {
+    let body = if message.is_empty() { String::new() } else { format!("{message}\n") };
     write!(
         stream,
-        "HTTP/1.1 {status}\r\nContent-Type: text/plain\r\n{HEADERS}Content-Length: {length}\r\n\r\n{message}\n"
+        "HTTP/1.1 {status}\r\nContent-Type: text/plain\r\n{HEADERS}{more}Content-Length: {}\r\n\r\n{body}",
+        body.len()
     )
 }
 
 /// The archive that is served now.
-fn archive(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
+fn archive(map: &Served, reply: Reply<'_>) -> io::Result<()> {
     let snapshot = map.snapshot();
-    let (bytes, generation) = (snapshot.bytes(), snapshot.generation());
-    let more = format!("Content-Length: {}\r\nMapd-Generation: {generation}\r\n", bytes.len());
-    ok(stream, "application/octet-stream", &more)?;
-    stream.write_all(bytes)
+    let more = format!("Mapd-Generation: {}\r\n", snapshot.generation());
+    reply.whole("application/octet-stream", &more, snapshot.bytes())
 }
 
 /// What is laid over it now; nothing where nothing is.
-fn overlay(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
+fn overlay(map: &Served, reply: Reply<'_>) -> io::Result<()> {
     let snapshot = map.snapshot();
-    let (bytes, revision) = (snapshot.overlay_bytes(), snapshot.overlay_revision());
-    let more = format!("Content-Length: {}\r\nMapd-Revision: {revision}\r\n", bytes.len());
-    ok(stream, "application/octet-stream", &more)?;
-    stream.write_all(bytes)
+    let more = format!("Mapd-Revision: {}\r\n", snapshot.overlay_revision());
+    reply.whole("application/octet-stream", &more, snapshot.overlay_bytes())
 }
 
 /// What was found in the map's file; nothing where that is not known.
-fn findings(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
-    let json = map.findings().json();
-    ok(stream, "application/json", &format!("Content-Length: {}\r\n", json.len()))?;
-    stream.write_all(json.as_bytes())
+fn findings(map: &Served, reply: Reply<'_>) -> io::Result<()> {
+    reply.whole("application/json", "", map.findings().json().as_bytes())
 }
 
 /// What is known of who serves and reads the map now.
-fn status(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
+fn status(map: &Served, reply: Reply<'_>) -> io::Result<()> {
     match map.status() {
-        Ok(status) => {
-            let length = format!("Content-Length: {}\r\n", status.len());
-            ok(stream, "application/json", &length)?;
-            stream.write_all(status.as_bytes())
-        }
-        Err(error) => refuse(stream, "503 Service Unavailable", &error.to_string()),
+        Ok(status) => reply.whole("application/json", "", status.as_bytes()),
+        Err(error) => reply.refuse("503 Service Unavailable", "", &error.to_string()),
     }
 }
 
-/// An event for each generation and overlay, from those that are served now on, until the peer closes the connection.
-fn events(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
-    ok(stream, "text/event-stream", "")?;
+/// An event for each generation and overlay, from those that are served now on, until the peer closes the connection or loses its place.
+fn events(map: &Served, reply: Reply<'_>) -> io::Result<()> {
+    reply.begin("text/event-stream", "")?;
+    let Reply { mut stream, is_head, place } = reply;
+    if is_head {
+        return Ok(());
+    }
+    place.go_on(Stage::Listens)?;
     let mut told = None;
-    loop {
+    while !place.is_lost() {
         let now = match told {
             None => map.version(),
-            Some(told) => map.other_than(told, SIGN_OF_LIFE),
+            Some(told) => map.other_than(told, SIGN_OF_LIFE, || !place.is_lost()),
         };
         match told == Some(now) {
             true => stream.write_all(b":\n\n")?,
@@ -238,4 +227,5 @@ fn events(map: &Served, stream: &mut TcpStream) -> io::Result<()> {
         stream.flush()?;
         told = Some(now);
     }
+    Ok(())
 }

@@ -5,6 +5,7 @@ mod served;
 
 use crate::args::Opening;
 use crate::exit::{Exit, UsageError};
+use crate::http::Door;
 use crate::source::Source;
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -54,9 +55,8 @@ impl ViewCommand {
         let port = listener.local_addr()?.port();
         writeln!(out, "http://127.0.0.1:{port}/")?;
         out.flush()?;
-        let server = Arc::new(Server::new(maps, port, self.open));
+        let server = Arc::new(Server::new(maps, Door { port, is_open: self.open }));
         server.follow()?;
-        server.serve(&listener)?;
-        Ok(Exit::Done)
+        server.serve(&listener)
     }
 }

@@ -104,11 +104,23 @@ impl Served {
         version(&self.lock())
     }
 
-    /// Waits until another generation or overlay than this is served, so long at most; what is.
-    pub(super) fn other_than(&self, known: ShownVersion, longest: Duration) -> ShownVersion {
-        let is_same = |now: &mut Snapshot| version(now) == known;
+    /// Waits until another generation or overlay than this is served, so long at most, and while `is_wanted`; what is.
+    pub(super) fn other_than(
+        &self,
+        known: ShownVersion,
+        longest: Duration,
+        is_wanted: impl Fn() -> bool,
+    ) -> ShownVersion {
+        let is_same = |now: &mut Snapshot| version(now) == known && is_wanted();
         let waited = self.changed.wait_timeout_while(self.lock(), longest, is_same);
         version(&waited.unwrap_or_else(PoisonError::into_inner).0)
+    }
+
+    /// Has those who wait look again whether they still want to.
+    pub(super) fn wake(&self) {
+        // Under the lock: who has just looked and found no reason to stop sleeps by then.
+        let _now = self.lock();
+        self.changed.notify_all();
     }
 
     /// Follows a live map for ever; returns at once for a file.
