@@ -21,6 +21,7 @@ use crate::control::AskError;
 use crate::daemon::{self, DaemonArgs};
 use crate::exit::{Exit, UsageError, explained};
 use crate::oversight::OversightArgs;
+use crate::printable::{printable, printable_lines};
 use crate::trust::is_distrust;
 use anyhow::{Context, Result};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -157,7 +158,7 @@ pub fn run() -> ExitCode {
         Err(error) if help::is_first_page(&error, command()) => {
             return first_page(Exit::Done).into();
         }
-        Err(error) => error.exit(),
+        Err(error) => return refused(&error).into(),
     };
     match execute(&matches) {
         Ok(exit) => exit.into(),
@@ -166,10 +167,29 @@ pub fn run() -> ExitCode {
         Err(error) => {
             let mut err = io::stderr().lock();
             let mapd = Colours::of(&err).severity(Severity::Error, "mapd:").to_string();
-            let _ = writeln!(err, "{mapd} {}", explained(&error));
+            let _ = writeln!(err, "{mapd} {}", printable(&explained(&error)));
             exit_of(&error).into()
         }
     }
+}
+
+/// Says why a command line cannot be read, or the help that it asks for. Names of files stand in the error as they were given: where they would do
+/// something to a terminal, they are shown instead.
+fn refused(error: &clap::Error) -> Exit {
+    let exit = if error.use_stderr() { Exit::Usage } else { Exit::Done };
+    let given = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned());
+    let unseen: Vec<String> = given.filter(|arg| printable(arg) != arg.as_str()).collect();
+    // A reader who has gone wants no more of it.
+    let _ = match unseen.is_empty() {
+        true => error.print(),
+        false => {
+            let text = error.render().ansi().to_string();
+            let text = unseen.iter().fold(text, |text, arg| text.replace(arg, &printable(arg)));
+            let text = anstream::adapter::strip_str(&text).to_string();
+            io::stderr().lock().write_all(printable_lines(&text).as_bytes())
+        }
+    };
+    exit
 }
 
 /// Shows the first page of help. A reader who has gone wants no more of it.

@@ -1,6 +1,7 @@
-//! Text that comes from a map, for a terminal or a log.
+//! Text that comes from a map, or is the name of a file, for a terminal or a log.
 
 use std::borrow::Cow;
+use std::path::Path;
 
 /// Whether a character would do something to a terminal instead of being seen, or break a line in two.
 fn is_unseen(c: char) -> bool {
@@ -23,9 +24,24 @@ pub(crate) fn printable(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(shown).collect())
 }
 
+/// The name of a file likewise.
+pub(crate) fn shown(path: &Path) -> String {
+    printable(&path.to_string_lossy()).into_owned()
+}
+
+/// Lines of text likewise, each for itself: those of another process, which has seen to what is in a line.
+pub(crate) fn printable_lines(text: &str) -> String {
+    text.split_inclusive('\n')
+        .map(|line| match line.strip_suffix('\n') {
+            Some(line) => printable(line).into_owned() + "\n",
+            None => printable(line).into_owned(),
+        })
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::printable;
+    use super::{printable, printable_lines};
 
     #[test]
     fn what_does_something_to_a_terminal_is_a_dot() {
@@ -39,5 +55,6 @@ mod tests {
         ] {
             assert_eq!(printable(text), shown);
         }
+        assert_eq!(printable_lines("a\u{1b}[2J\nb\rc\n\nd"), "a·[2J\nb·c\n\nd");
     }
 }

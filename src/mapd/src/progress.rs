@@ -1,5 +1,6 @@
 //! How far long work is: a bar where stderr is a terminal, else a line every few seconds, or nothing.
 
+use crate::printable::{printable, printable_lines};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use mapd_compiler::Progress;
 use std::fmt::Write as _;
@@ -40,6 +41,7 @@ impl Meter {
 
     /// Of work on so many bytes; 0: on a number that is not known.
     pub fn new(name: &str, total: u64, manner: Manner) -> Self {
+        let name = &*printable(name);
         let is_terminal = io::stderr().is_terminal();
         let lines = match manner {
             Manner::Lines(interval) if !is_terminal => {
@@ -93,9 +95,10 @@ impl Meter {
         self.line(|lines, now| lines.stage(now, &doing()));
     }
 
-    /// Says something else, at once, as it is on stderr.
+    /// Says something else at once, in lines, on stderr.
     pub(crate) fn say(&self, text: &str) {
         // A closed stderr is nobody's loss.
+        let text = printable_lines(text);
         self.bar.suspend(|| drop(io::stderr().lock().write_all(text.as_bytes())));
     }
 

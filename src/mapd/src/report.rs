@@ -191,6 +191,7 @@ pub fn report<'a>(file: &'a str, compiled: &'a Compilation) -> Report<'a> {
 /// information is not printed.
 pub fn print(file: &str, compiled: &Compilation) {
     let mut err = std::io::stderr().lock();
+    let file = &*printable(file);
     let colours = Colours::of(&err);
     let counts = counts(compiled);
     for (severity, count) in

@@ -108,7 +108,7 @@ impl Ontology {
             lights: HashMap::new(),
         };
         for (file, text) in TABLES.iter().filter(|(file, _)| *file == LIGHTS) {
-            let read = toml::from_str::<Lights>(text).map_err(|error| form(file, &error));
+            let read = toml::from_str::<Lights>(text).map_err(|error| form(file, text, &error));
             if let Ok(lights) = read {
                 for light in &lights.lights {
                     ontology.lights.extend(light.light().map(|bits| (light.name.clone(), bits)));
@@ -139,7 +139,7 @@ impl Ontology {
     }
 
     fn table(&self, file: &str, text: &str) -> Result<Table, OntologyError> {
-        let read: File = toml::from_str(text).map_err(|error| form(file, &error))?;
+        let read: File = toml::from_str(text).map_err(|error| form(file, text, &error))?;
         let mut lights = self.lights.clone();
         for light in &read.lights {
             let bits = light.light().map_err(|wrong| in_entry(file, &light.name, &wrong))?;
@@ -320,8 +320,11 @@ fn named(entry: &Entry) -> String {
     parts.into_iter().flatten().map(String::as_str).collect::<Vec<_>>().join(" ")
 }
 
-fn form(file: &str, error: &toml::de::Error) -> OntologyError {
-    OntologyError::Form { file: file.to_owned(), message: error.to_string().trim().to_owned() }
+fn form(file: &str, text: &str, error: &toml::de::Error) -> OntologyError {
+    let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
+    let line = before.matches('\n').count() + 1;
+    let message = format!("at line {line}: {}", error.message().replace('\n', ", "));
+    OntologyError::Form { file: file.to_owned(), message }
 }
 
 fn in_entry(file: &str, entry: &str, wrong: &EntryFault) -> OntologyError {

@@ -136,7 +136,7 @@ impl JudgingArgs {
         let Some(path) = &self.rules else { return Ok(Configuration::default()) };
         let text = small_text::read(path)?;
         let wrong = |error| UsageError(format!("reading {}: {error}", path.display()));
-        Ok(toml::from_str(&text).map_err(wrong)?)
+        Ok(small_text::toml(&text).map_err(wrong)?)
     }
 }
 

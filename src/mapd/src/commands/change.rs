@@ -5,6 +5,7 @@ use crate::args::Seconds;
 use crate::control::{AskError, ReloadResult, Request, Response, ask};
 use crate::daemon::sentence;
 use crate::exit::Exit;
+use crate::printable::printable;
 use anyhow::{Result, bail};
 use clap::Args;
 use std::io::Write;
@@ -76,7 +77,7 @@ impl ChangeArgs {
                     serde_json::to_writer(&mut *out, &report)?;
                     writeln!(out)?;
                 } else {
-                    writeln!(out, "{}: {}", self.name, sentence(&report))?;
+                    writeln!(out, "{}: {}", self.name, printable(&sentence(&report)))?;
                 }
                 Ok(if report.result == ReloadResult::Failed { Exit::Rejected } else { Exit::Done })
             }

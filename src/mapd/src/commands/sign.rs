@@ -2,6 +2,7 @@
 
 use super::overlay::read_document;
 use crate::exit::{Exit, UsageError};
+use crate::printable::shown;
 use crate::source::is_archive;
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -89,8 +90,8 @@ fn sign(args: &SignCommand, out: &mut dyn Write) -> Result<()> {
         };
         if !args.json {
             match &made.content_hash {
-                Some(content) => writeln!(out, "{}: content {content}", made.signature.display())?,
-                None => writeln!(out, "{}", made.signature.display())?,
+                Some(content) => writeln!(out, "{}: content {content}", shown(&made.signature))?,
+                None => writeln!(out, "{}", shown(&made.signature))?,
             }
         }
         signed.push(made);

@@ -4,6 +4,7 @@ use crate::args::DomainArgs;
 use crate::clock::since_epoch;
 use crate::control::{CacheStatus, DaemonStatus, MapState, OverlayStatus, Request, Response, ask};
 use crate::exit::Exit;
+use crate::printable::printable;
 use crate::report::hex;
 use crate::rounded;
 use anyhow::Result;
@@ -157,7 +158,7 @@ impl StatusCommand {
         }
         let ill: Vec<String> = maps.iter().filter_map(Status::trouble).collect();
         for trouble in &ill {
-            writeln!(std::io::stderr(), "mapd: {trouble}")?;
+            writeln!(std::io::stderr(), "mapd: {}", printable(trouble))?;
         }
         let is_healthy = !maps.is_empty() && ill.is_empty();
         Ok(if is_healthy { Exit::Done } else { Exit::Environment })
@@ -271,11 +272,11 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
         }
         for (what, check) in [("query of its own", &state.self_queries), ("scrub", &state.scrubs)] {
             if check.last_failed == Some(true) {
-                writeln!(out, "    {what} failed: {}", check.last_error)?;
+                writeln!(out, "    {what} failed: {}", printable(&check.last_error))?;
             }
         }
         if let Some(report) = &state.last_reload {
-            writeln!(out, "    {}", crate::daemon::sentence(report))?;
+            writeln!(out, "    {}", printable(&crate::daemon::sentence(report)))?;
         }
     }
     Ok(maps)

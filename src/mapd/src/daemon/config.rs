@@ -7,8 +7,7 @@ use crate::args::ShareWith;
 use crate::args::Size;
 use crate::args::ThreadCount;
 use crate::oversight::OversightSettings;
-use crate::similar::did_you_mean_of;
-use crate::small_text;
+use crate::small_text::{self, at};
 use anyhow::{Context, Result};
 use mapd_client::Domain;
 use serde::Deserialize;
@@ -110,7 +109,7 @@ impl Configuration {
     }
 
     fn parse(text: &str, folder: &Path) -> Result<Self, String> {
-        let file: File = toml::from_str(text).map_err(told)?;
+        let file: File = small_text::toml(text)?;
         let domain = match &file.prefix {
             Some(prefix) => Some(
                 Domain::new(prefix.as_ref())
@@ -170,12 +169,6 @@ impl Configuration {
     }
 }
 
-/// What TOML says, and what a key may have meant.
-fn told(error: toml::de::Error) -> String {
-    let text = error.to_string();
-    format!("{}{}", text.trim_end(), did_you_mean_of(error.message()))
-}
-
 fn arguments(text: &str, options: &Options, folder: &Path) -> Result<CompileArguments, String> {
     let mut arguments = CompileArguments::default();
     for (name, value) in options {
@@ -200,14 +193,6 @@ fn plain(value: &Value) -> Option<String> {
         Value::Float(number) => Some(number.to_string()),
         Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::Table(_) => None,
     }
-}
-
-/// An error with its line and column, as those of TOML itself have.
-fn at(text: &str, offset: usize, error: &str) -> String {
-    let before = text.get(..offset).unwrap_or_default();
-    let line = before.matches('\n').count() + 1;
-    let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
-    format!("at line {line}, column {column}: {error}")
 }
 
 #[cfg(test)]

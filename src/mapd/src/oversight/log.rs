@@ -1,5 +1,6 @@
 //! Logs: events with fields, as lines of text or of JSON, on stderr.
 
+use crate::printable::printable;
 use crate::serve::Notice;
 use clap::{Args, ValueEnum};
 use std::fmt;
@@ -145,14 +146,14 @@ where
     }
 }
 
-/// Writes the message and leaves out the fields, which it repeats in words.
+/// Writes the message on one line and leaves out the fields, which it repeats in words.
 struct Message<'a, 'b>(&'a mut Writer<'b>);
 
 impl Visit for Message<'_, '_> {
     fn record_debug(&mut self, field: &Field, value: &dyn fmt::Debug) {
         if field.name() == "message" {
             // Fails if the log cannot be written; there is nowhere to report that.
-            let _ = write!(self.0, "{value:?}");
+            let _ = self.0.write_str(&printable(&format!("{value:?}")));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::figures::{Comparison, Figures};
+use crate::printable::printable;
 use crate::rounded;
 use std::io::{self, Write};
 
@@ -15,7 +16,7 @@ pub(super) fn print(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> 
     writeln!(
         out,
         "{}: generation {}, {}, {} lanes, content {}",
-        report.source,
+        printable(&report.source),
         report.generation,
         rounded::bytes(report.bytes as f64),
         report.lanes,

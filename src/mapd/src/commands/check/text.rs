@@ -2,7 +2,7 @@
 
 use super::excerpt::excerpts;
 use crate::colour::Colours;
-use crate::printable::printable;
+use crate::printable::{printable, shown};
 use crate::report::{Folding, counts, severity_name, verdict_name};
 use anyhow::Result;
 use mapd_compiler::{Compilation, Verdict};
@@ -16,7 +16,7 @@ pub(super) fn write(
     all: bool,
     out: &mut dyn Write,
 ) -> Result<()> {
-    let name = file.display().to_string();
+    let name = shown(file);
     let excerpts = excerpts(file, &checked.diagnostics);
     let colours = Colours::of(&std::io::stdout());
     let (mut folding, mut folded, mut folded_kept) = (Folding::default(), 0, 0);

@@ -17,6 +17,7 @@ use crate::child::{self, ChildReport, End, Message, Output, Work};
 use crate::draft;
 use crate::exit::Exit;
 use crate::exit::UsageError;
+use crate::printable::shown;
 use crate::progress::Meter;
 use crate::rounded;
 use crate::same_file::is_same_file;
@@ -224,7 +225,7 @@ fn compile_one(
         writeln!(
             out,
             "{}: {}, {} roads, {} lanes, content {}",
-            target.archive.display(),
+            shown(&target.archive),
             rounded::bytes(made.bytes as f64),
             made.roads,
             made.lanes,

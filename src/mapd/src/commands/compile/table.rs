@@ -3,6 +3,7 @@
 use super::inputs::Tile;
 use crate::child::ArchiveFacts;
 use crate::exit::Exit;
+use crate::printable::printable;
 use crate::report::Counts;
 use crate::rounded;
 use anyhow::Result;
@@ -142,7 +143,7 @@ pub(super) fn write(rows: &[Row], took: Duration, out: &mut dyn Write) -> Result
         let archive = row.archive.as_ref();
         let suffix = if row.is_up_to_date { ", up to date" } else { "" };
         cells.push([
-            row.tile.clone(),
+            printable(&row.tile).into_owned(),
             format!("{}{suffix}", row.outcome.name()),
             known(archive.map(|archive| archive.roads.to_string())),
             known(row.findings.map(|findings| findings.errors.to_string())),
@@ -167,7 +168,7 @@ pub(super) fn write(rows: &[Row], took: Duration, out: &mut dyn Write) -> Result
             };
         }
         if let Some(reason) = reason {
-            line += &format!("  {reason}");
+            line += &format!("  {}", printable(reason));
         }
         writeln!(out, "{line}")?;
     }

@@ -11,6 +11,7 @@ use crate::args::ThreadCount;
 use crate::child::{self, End, Output, Work};
 use crate::draft;
 use crate::exit::Exit;
+use crate::printable::printable;
 use crate::progress::{Manner, Meter, decoded_bytes};
 use anyhow::{Context, Result};
 use mapd_compiler::Progress;
@@ -199,7 +200,7 @@ impl Shared<'_> {
     }
 
     fn fail(&self, row: &mut Row, reason: String) {
-        self.meter.say(&format!("mapd: {}: {reason}\n", row.tile));
+        self.meter.say(&format!("mapd: {}: {}\n", printable(&row.tile), printable(&reason)));
         row.fail(reason);
     }
 }

@@ -13,6 +13,7 @@ mod memory;
 use crate::args::Live;
 use crate::colour::Colours;
 use crate::exit::Exit;
+use crate::printable::printable;
 use anyhow::Result;
 use clap::Args;
 use finding::{Finding, State};
@@ -86,11 +87,9 @@ fn examine(
         let colours = Colours::of(&std::io::stdout());
         for Finding { check, state, found, advice } in &findings {
             let shown = colours.severity(state.severity(), state.name());
-            // Further lines, as those of a file that is wrong, stand below the first.
-            let found = found.replace('\n', &format!("\n{:8}{:CHECK$}", "", ""));
-            writeln!(out, "{shown:<8}{check:<CHECK$}{found}")?;
+            writeln!(out, "{shown:<8}{check:<CHECK$}{}", printable(found))?;
             if let Some(advice) = advice {
-                writeln!(out, "{:8}{:CHECK$}→ {advice}", "", "")?;
+                writeln!(out, "{:8}{:CHECK$}→ {}", "", "", printable(advice))?;
             }
         }
     }

@@ -16,7 +16,7 @@ pub(super) fn write(facts: &Inspection, tables: bool, out: &mut dyn Write) -> Re
     let name =
         if map.name.is_empty() { "without a name".to_owned() } else { format!("{:?}", map.name) };
     writeln!(out, "map           {name}, OpenDRIVE {}", map.opendrive)?;
-    writeln!(out, "source        {}", facts.source)?;
+    writeln!(out, "source        {}", printable(&facts.source))?;
     let km = map.road_length_m / 1000.0;
     writeln!(out, "roads         {}, {km:.3} km; {} junctions", map.roads, map.junctions)?;
     let (lanes, sections, links) = (map.lanes, map.sections, map.lane_links);
@@ -32,7 +32,7 @@ pub(super) fn write(facts: &Inspection, tables: bool, out: &mut dyn Write) -> Re
     facts.besides.print(out)?;
     place(map, out)?;
     match &facts.findings {
-        Some(findings) => findings.print(&facts.source, out)?,
+        Some(findings) => findings.print(&printable(&facts.source), out)?,
         None => {
             writeln!(out, "findings      not in an archive: `mapd check` of its file tells them")?
         }

@@ -6,6 +6,7 @@ use super::OverlayCommand;
 use crate::cache::Identity;
 use crate::control::OverlayAction;
 use crate::exit::{UsageError, explained};
+use crate::printable::printable;
 use anyhow::{Result, bail};
 use mapd_client::{SIGNATURE_SUFFIX, signature_path};
 use mapd_overlay::Document;
@@ -122,7 +123,7 @@ pub(super) fn follow(
         }
         if let Some(why) = failed.filter(|why| *why != said) {
             // A closed stderr is nobody's loss.
-            let _ = writeln!(io::stderr(), "mapd: {why}");
+            let _ = writeln!(io::stderr(), "mapd: {}", printable(&why));
             said = why;
         }
         last = now;

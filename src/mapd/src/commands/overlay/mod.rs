@@ -7,6 +7,7 @@ use crate::args::{DomainArgs, Seconds, not_negative};
 use crate::clock::since_epoch;
 use crate::control::{AskError, ListedEntry, OverlayAction, OverlayReport, Request, Response, ask};
 use crate::exit::{Exit, UsageError, explained};
+use crate::printable::printable;
 use anyhow::{Context, Result, bail};
 use clap::{Args, Subcommand};
 use feed::matched;
@@ -216,11 +217,11 @@ impl OverlayCommand {
     ) -> io::Result<()> {
         writeln!(out, "{}: {} entries", self.name, report.entries.len())?;
         for FeedFinding { place, why } in findings.iter().flatten() {
-            writeln!(out, "{}: {place}: {why}", file.display())?;
+            writeln!(out, "{}", printable(&format!("{}: {place}: {why}", file.display())))?;
         }
         for one in report.entries.iter().filter(|_| findings.is_none()) {
             if let Some(why) = &one.part {
-                writeln!(out, "entry {:?}, not all of it: {why}", one.entry.id)?;
+                writeln!(out, "entry {:?}, not all of it: {}", one.entry.id, printable(why))?;
             }
         }
         Ok(())
@@ -334,7 +335,8 @@ impl Applied {
 fn line(one: &ListedEntry, at: Moment, out: &mut dyn Write) -> io::Result<()> {
     let entry = &one.entry;
     let value = entry.value.map(|value| format!(" {value} m/s")).unwrap_or_default();
-    write!(out, "{:10} {:9} {}{value}", state(one, at), entry.kind.name(), entry.id)?;
+    let id = printable(&entry.id);
+    write!(out, "{:10} {:9} {id}{value}", state(one, at), entry.kind.name())?;
     if let Some(until) = entry.until {
         write!(out, ", until {until}")?;
     }
@@ -344,8 +346,8 @@ fn line(one: &ListedEntry, at: Moment, out: &mut dyn Write) -> io::Result<()> {
         }
     }
     match (&one.unplaced, &one.part) {
-        (Some(why), _) => writeln!(out, ": {why}"),
-        (None, Some(why)) => writeln!(out, ", not all of it: {why}"),
+        (Some(why), _) => writeln!(out, ": {}", printable(why)),
+        (None, Some(why)) => writeln!(out, ", not all of it: {}", printable(why)),
         (None, None) => writeln!(out),
     }
 }

@@ -100,7 +100,7 @@ impl ProposalPolicy {
     }
 
     fn parse(text: &str, domain: &Domain) -> Result<Self> {
-        let file: File = toml::from_str(text).map_err(|error| anyhow!("{error}"))?;
+        let file: File = small_text::toml(text).map_err(anyhow::Error::msg)?;
         let rules = file.allow.into_iter().enumerate();
         let rules = rules.map(|(i, allow)| {
             allow.rule(domain).with_context(|| format!("allow, number {}", i + 1))
