@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 /// Runs a program to its end with this on its standard input.
-pub fn run(program: &str, args: &[&str], input: &str) -> Output {
+pub fn run(program: &str, args: &[&str], input: impl AsRef<[u8]>) -> Output {
     let mut child = Command::new(program)
         .args(args)
         .stdin(Stdio::piped())
@@ -14,7 +14,7 @@ pub fn run(program: &str, args: &[&str], input: &str) -> Output {
         .spawn()
         .expect("starts");
     // A command that refuses its arguments does not read.
-    let _ = child.stdin.take().expect("stdin").write_all(input.as_bytes());
+    let _ = child.stdin.take().expect("stdin").write_all(input.as_ref());
     child.wait_with_output().expect("ends")
 }
 

@@ -8,6 +8,8 @@
 #![allow(unsafe_code)]
 
 use crate::exit::Exit;
+use rustix::fs::{Mode, OFlags};
+use rustix::process::Resource;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -32,6 +34,10 @@ pub(crate) fn give_back() {
 
 /// What is said where there is no memory, after the words of the standard library.
 pub(crate) const NO_MEMORY_IS_LEFT: &str = "mapd: no memory is left to this process; see `ulimit -v`, --max-memory, the control group, and what is free";
+
+/// The same, where it is address space that is not left.
+pub(crate) const NO_ADDRESS_SPACE_IS_LEFT: &str =
+    "mapd: no address space is left to this process; raise the limit (`ulimit -v`, LimitAS=)";
 
 /// The system's allocator, for the programs: `#[global_allocator]`.
 pub struct Allocator;
@@ -68,6 +74,22 @@ fn there(block: *mut u8, size: usize) -> *mut u8 {
     block
 }
 
+/// Whether less is left of the address space than of the memory that this process may have (`ulimit -v`, `-d`). Takes no memory.
+fn is_address_space_short() -> bool {
+    let limit = |of| rustix::process::getrlimit(of).current;
+    let Some(address_space) = limit(Resource::As) else { return false };
+    // Pages: all, in memory, shared, code, unused, data and stack.
+    let mut text = [0; 128];
+    let read = rustix::fs::open("/proc/self/statm", OFlags::RDONLY, Mode::empty())
+        .and_then(|file| rustix::io::read(file, &mut text));
+    let text = read.ok().and_then(|length| std::str::from_utf8(text.get(..length)?).ok());
+    let mut numbers = text.unwrap_or_default().split_ascii_whitespace().map(str::parse::<u64>);
+    let (Some(Ok(all)), Some(Ok(data))) = (numbers.next(), numbers.nth(4)) else { return true };
+    let page = rustix::param::page_size() as u64;
+    let left = |limit: u64, pages: u64| limit.saturating_sub(pages.saturating_mul(page));
+    limit(Resource::Data).is_none_or(|of_data| left(address_space, all) <= left(of_data, data))
+}
+
 /// Says that there is no memory, without taking any, and ends the process.
 #[cold]
 fn end(size: usize) -> ! {
@@ -79,7 +101,8 @@ fn end(size: usize) -> ! {
     let mut text = [0; 256];
     let mut rest = text.as_mut_slice();
     // It fits; and if it did not, the process would end all the same.
-    let _ = writeln!(rest, "memory allocation of {size} bytes failed\n{NO_MEMORY_IS_LEFT}");
+    let what = if is_address_space_short() { NO_ADDRESS_SPACE_IS_LEFT } else { NO_MEMORY_IS_LEFT };
+    let _ = writeln!(rest, "memory allocation of {size} bytes failed\n{what}");
     let unused = rest.len();
     let said = text.len() - unused;
     // In one piece, and past the lock of the standard library's stderr, which this thread may hold.

@@ -3,7 +3,7 @@
 //! The child is this program as `mapd compile` with hidden options. It says on its standard output, a line of JSON each, how
 //! far it is and what it made; on its standard error what a user would see. It ends with its parent.
 
-use crate::allocator::NO_MEMORY_IS_LEFT;
+use crate::allocator::{NO_ADDRESS_SPACE_IS_LEFT, NO_MEMORY_IS_LEFT};
 use crate::args::CompileArguments;
 use crate::args::Size;
 use crate::args::ThreadCount;
@@ -30,8 +30,9 @@ const NO_MEMORY: (&str, &str) = ("memory allocation of ", " bytes failed");
 
 /// What it says next, which is said better with the limit; the standard library's words where the program has not its own
 /// allocator.
-const NO_BACKTRACE: [&str; 3] = [
+const NO_BACKTRACE: [&str; 4] = [
     NO_MEMORY_IS_LEFT,
+    NO_ADDRESS_SPACE_IS_LEFT,
     "skipping backtrace printing to avoid potential recursion",
     "note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace",
 ];
@@ -109,8 +110,8 @@ pub(crate) struct Work<'a> {
 pub(crate) enum End {
     /// As a command does.
     Exit(Exit),
-    /// It needed more than it was allowed: this many bytes, for one allocation, as far as it could say so.
-    OutOfMemory { asked: Option<u64> },
+    /// It needed more than it was allowed: this many bytes, for one allocation, as far as it could say so; of address space rather than of memory.
+    OutOfMemory { asked: Option<u64>, is_address_space: bool },
     /// By a panic or a signal.
     Broken(ExitStatus),
 }
@@ -132,7 +133,7 @@ pub(crate) fn run(
 ) -> io::Result<(End, ChildReport)> {
     let mut child = command(work).spawn()?;
     let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
-    let mut no_memory = None;
+    let (mut no_memory, mut is_address_space) = (None, false);
     let (status, told) = std::thread::scope(|scope| {
         let named = |name: &str| std::thread::Builder::new().name(name.to_owned());
         let hear = move || {
@@ -149,6 +150,7 @@ pub(crate) fn run(
         };
         let relay = || {
             for line in lines(stderr) {
+                is_address_space |= line == NO_ADDRESS_SPACE_IS_LEFT;
                 match last_words(&line) {
                     None if NO_BACKTRACE.contains(&line.as_str()) => {}
                     Some(asked) => no_memory = Some(asked.or(no_memory.flatten())),
@@ -176,7 +178,9 @@ pub(crate) fn run(
     let status = status?;
     let exit = status.code().and_then(|code| Exit::from_code(u8::try_from(code).ok()?));
     let end = match (exit, no_memory) {
-        (Some(Exit::Environment) | None, Some(asked)) => End::OutOfMemory { asked },
+        (Some(Exit::Environment) | None, Some(asked)) => {
+            End::OutOfMemory { asked, is_address_space }
+        }
         (Some(exit), _) => End::Exit(exit),
         (None, None) => End::Broken(status),
     };
@@ -259,22 +263,48 @@ impl End {
     /// Why there is no archive. `limit`: bytes that it was allowed, by an option of this name.
     pub(crate) fn reason(&self, limit: Option<u64>, option: &str) -> String {
         match self {
-            Self::OutOfMemory { asked } => too_little(limit, *asked, option),
-            Self::Broken(status) => match limit {
-                Some(limit) => format!(
-                    "the compiler ended with {status}; it was allowed {} of memory ({option})",
-                    Size(limit)
-                ),
-                None => format!("the compiler ended with {status}"),
-            },
+            Self::OutOfMemory { asked, is_address_space } => {
+                let of = if *is_address_space { Resource::As } else { Resource::Data };
+                // The child has what this process may have, and of memory no more than the option allows.
+                let own = rustix::process::getrlimit(of).current;
+                let option = limit.filter(|_| of == Resource::Data).map(|limit| (limit, option));
+                too_little(option, own.zip(name_of(of)), *asked)
+            }
+            Self::Broken(status) => {
+                // The C library ends a process that has no address space for a thread by a signal.
+                let address_space = rustix::process::getrlimit(Resource::As).current;
+                match (address_space.zip(name_of(Resource::As)), limit) {
+                    (Some((most, name)), _) => {
+                        format!(
+                            "the compiler ended with {status}; there are {} of {name}",
+                            Size(most)
+                        )
+                    }
+                    (None, Some(limit)) => format!(
+                        "the compiler ended with {status}; it was allowed {} of memory ({option})",
+                        Size(limit)
+                    ),
+                    (None, None) => format!("the compiler ended with {status}"),
+                }
+            }
             Self::Exit(exit) => format!("the compiler ended with {}", exit.code()),
         }
     }
 }
 
-fn too_little(limit: Option<u64>, asked: Option<u64>, option: &str) -> String {
-    let limit = match limit {
-        Some(limit) => format!("the {} of {option}", Size(limit)),
+/// By what name people know a limit of processes.
+fn name_of(limit: Resource) -> Option<&'static str> {
+    match limit {
+        Resource::As => Some("address space that this process may have (`ulimit -v`)"),
+        Resource::Data => Some("memory that this process may have (`ulimit -d`)"),
+        _ => None,
+    }
+}
+
+/// What is said of the smallest of these limits, each with its name.
+fn too_little(option: Option<(u64, &str)>, own: Option<(u64, &str)>, asked: Option<u64>) -> String {
+    let limit = match option.into_iter().chain(own).min_by_key(|(limit, _)| *limit) {
+        Some((limit, name)) => format!("the {} of {name}", Size(limit)),
         None => "the memory that the system gives it".to_owned(),
     };
     let needed = match asked {
@@ -332,10 +362,13 @@ mod tests {
         assert_eq!(asked("41"), Some(Some(41)));
         assert_eq!(asked(""), None);
         assert_eq!(asked("a.xodr:1:1: memory allocation of 4096 bytes failed"), None);
-        let said = too_little(Some(64 << 20), Some(1 << 20), "--max-memory");
-        assert!(
-            said.contains("64 MiB of --max-memory") && said.contains("another 1 MiB"),
-            "{said}"
-        );
+        let option = Some((64 << 20, "--max-memory"));
+        let said = |own| too_little(option, own, Some(1 << 20));
+        let needed = "; allocating another 1 MiB failed";
+        let of_option = format!("compiling needs more than the 64 MiB of --max-memory{needed}");
+        assert_eq!(said(None), of_option);
+        assert_eq!(said(Some((1 << 30, "that"))), of_option);
+        let of_system = said(Some((32 << 20, "that")));
+        assert_eq!(of_system, format!("compiling needs more than the 32 MiB of that{needed}"));
     }
 }

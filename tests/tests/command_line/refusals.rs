@@ -13,7 +13,7 @@ fn town() -> String {
 }
 
 /// Runs a command that is wrong in itself, and checks what it answers before and what it says.
-fn refuses(args: &[&str], input: &str, answers: usize, said: &str) {
+fn refuses(args: &[&str], input: impl AsRef<[u8]>, answers: usize, said: &str) {
     let output = command::run(MAPD, args, input);
     let errors = errors(&output);
     assert_eq!(output.status.code(), Some(2), "{args:?}: {errors}");
@@ -117,6 +117,21 @@ fn a_quote_that_is_not_closed() {
     let rows = "\u{feff}\"x\",y,name\n50,-1.75,\"a \"\"b\"\"\nc\"\n60,-1.75,5\" pipe\n";
     let output = command::run(MAPD, &["query", &map, "nearest"], rows);
     assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+}
+
+/// Of all that can be wrong in CSV, this alone ended as if a file could not be read.
+#[test]
+fn csv_that_is_not_utf_8() {
+    let map = town();
+    for (kind, input, answers) in [
+        ("query", &b"x,y,name\n50,-1.75,a\n60,-1.75,\xff\n70,-1.75,b\n"[..], 2),
+        ("query", b"x,y,\xff\n50,-1.75,a\n", 0),
+        ("match", b"time,x,y,name\n0,50,-1.75,a\n1,60,-1.75,\xe9\n", 0),
+        ("match", b"time,x,y,\xe9\n", 0),
+    ] {
+        let args = [&[kind, &map][..], if kind == "query" { &["nearest"] } else { &[] }].concat();
+        refuses(&args, input, answers, "invalid UTF-8");
+    }
 }
 
 /// Time grew by the square of a number's length, and memory without bound.

@@ -100,19 +100,44 @@ fn a_limit_of_file_sizes_is_an_error() {
     assert!(!std::path::Path::new(&archive).exists());
 }
 
-/// Just above the least memory in which it starts, a program once ended by SIGABRT or a panic.
-#[test]
-fn too_little_memory_is_an_exit_code() {
-    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
-    let archive = folder.path().join("town.mapd").display().to_string();
-    let town = town();
-    let starts = |kib: u64| run(&place, &format!("-v {kib}"), &["--version"]).0 == Some(0);
+/// The least address space in which the program says its version \[KiB\], to a step.
+fn least(place: &TestDomain) -> u64 {
+    let starts = |kib: u64| run(place, &format!("-v {kib}"), &["--version"]).0 == Some(0);
     let (mut too_few, mut enough) = (0, 1 << 21);
     assert!(starts(enough), "2 GiB are enough to say a version");
     while enough - too_few > STEP {
         let middle = (too_few + enough) / 2;
         if starts(middle) { enough = middle } else { too_few = middle }
     }
+    enough
+}
+
+/// Want of address space was told as want of what --max-memory allows.
+#[test]
+fn a_limit_of_address_space_is_named() {
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let archive = folder.path().join("town.mapd").display().to_string();
+    let town = town();
+    let args = ["compile", &town, "-o", &archive, "--quiet", "--max-memory", "64GiB"];
+    let (mut named, mut done) = (0, 0);
+    let least = least(&place);
+    for step in 0..STEPS {
+        let limit = format!("-v {}", least + step * STEP);
+        let (code, said) = run(&place, &limit, &args);
+        assert!(!said.contains("--max-memory"), "{limit}: {code:?} {said}");
+        named += usize::from(code == Some(1) && said.contains("ulimit -v"));
+        done += usize::from(code == Some(0));
+    }
+    assert!(named > 0 && done > 0, "{named} named, {done} done");
+}
+
+/// Just above the least memory in which it starts, a program once ended by SIGABRT or a panic.
+#[test]
+fn too_little_memory_is_an_exit_code() {
+    let (place, folder) = (TestDomain::new(MAPD), tempfile::tempdir().expect("a folder"));
+    let archive = folder.path().join("town.mapd").display().to_string();
+    let town = town();
+    let enough = least(&place);
     for args in [
         &["compile", &town, "-o", &archive, "--quiet"][..],
         &["check", &town],

@@ -112,7 +112,7 @@ pub(in crate::commands) fn usage_of(error: QueryRunError) -> anyhow::Error {
         QueryRunError::Columns { .. } | QueryRunError::Options(_) => {
             UsageError(error.to_string()).into()
         }
-        QueryRunError::Csv(error) if InputError::is_cause_of(&error) => {
+        QueryRunError::Csv(error) if InputError::is_about_input(&error) => {
             UsageError(error.to_string()).into()
         }
         // As itself, so that a closed pipe is known as one.

@@ -26,11 +26,11 @@ pub(in crate::commands) enum InputError {
 }
 
 impl InputError {
-    /// Whether the crate's error is one of these.
-    pub(in crate::commands) fn is_cause_of(error: &csv::Error) -> bool {
+    /// Whether an error of the crate is about what the input says: one of these, or bytes that are not UTF-8; not about reading or writing.
+    pub(in crate::commands) fn is_about_input(error: &csv::Error) -> bool {
         match error.kind() {
             csv::ErrorKind::Io(io) => io.get_ref().is_some_and(|inner| inner.is::<Self>()),
-            _ => false,
+            _ => true,
         }
     }
 }
