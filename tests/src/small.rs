@@ -20,8 +20,28 @@ pub fn in_small_folder<T: Send>(
     bytes: u64,
     work: impl FnOnce() -> T + Send,
 ) -> Option<T> {
+    beside_others(folder, || mount_own(folder, bytes), work)
+}
+
+/// Likewise in a thread for which a folder is read-only, with what is in it.
+pub fn in_read_only_folder<T: Send>(folder: &Path, work: impl FnOnce() -> T + Send) -> Option<T> {
+    let nothing: Option<&str> = None;
+    let make = || {
+        mount(Some(folder), folder, nothing, MsFlags::MS_BIND, nothing)?;
+        let flags = MsFlags::MS_BIND | MsFlags::MS_REMOUNT | MsFlags::MS_RDONLY;
+        Ok(mount(nothing, folder, nothing, flags, nothing)?)
+    };
+    beside_others(folder, make, work)
+}
+
+/// Runs `work` in a thread that sees what `make` mounts at a folder, which others do not.
+fn beside_others<T: Send>(
+    folder: &Path,
+    make: impl FnOnce() -> io::Result<()> + Send,
+    work: impl FnOnce() -> T + Send,
+) -> Option<T> {
     std::thread::scope(|scope| {
-        let thread = scope.spawn(|| match mount_own(folder, bytes) {
+        let thread = scope.spawn(|| match leave_others().and_then(|()| make()) {
             Ok(()) => Some(work()),
             Err(error) => {
                 crate::say(&format!(
@@ -35,11 +55,15 @@ pub fn in_small_folder<T: Send>(
     })
 }
 
-fn mount_own(folder: &Path, bytes: u64) -> io::Result<()> {
+fn leave_others() -> io::Result<()> {
     let nothing: Option<&str> = None;
     unshare(CloneFlags::CLONE_NEWNS)?;
     // Else the new mount would be seen outside.
     mount(nothing, "/", nothing, MsFlags::MS_REC | MsFlags::MS_PRIVATE, nothing)?;
+    Ok(())
+}
+
+fn mount_own(folder: &Path, bytes: u64) -> io::Result<()> {
     let options = format!("size={bytes},mode=1777");
     mount(Some("tmpfs"), folder, Some("tmpfs"), MsFlags::empty(), Some(options.as_str()))?;
     Ok(())

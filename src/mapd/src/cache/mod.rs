@@ -113,9 +113,10 @@ impl Cache {
     }
 
     /// Opens a folder, which is made if it is not there, and removes what killed processes left in it. `limit`: bytes of
-    /// archives that it may hold; the newest one is kept whatever its size.
+    /// archives that it may hold; the newest one is kept whatever its size. Of a folder that cannot be written, what lies in it is used all
+    /// the same: see [`Cache::check_writable`].
     ///
-    /// Errors: the folder cannot be made, read or written.
+    /// Errors: the folder cannot be made or read.
     pub fn open(folder: impl Into<PathBuf>, limit: u64) -> io::Result<Self> {
         let cache = Self { folder: folder.into(), limit, written: Arc::default() };
         cache.make_folder()?;
@@ -128,9 +129,14 @@ impl Cache {
             }
         }
         cache.drop_old_records();
-        // Whether it can be written shows now, and not when a map has been compiled.
-        drop(cache.begin()?);
         Ok(cache)
+    }
+
+    /// Looks whether anything can be added.
+    ///
+    /// Errors: why not. It may be read-only, or full.
+    pub fn check_writable(&self) -> io::Result<()> {
+        self.begin().map(drop)
     }
 
     /// The folder.

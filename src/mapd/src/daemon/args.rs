@@ -245,23 +245,28 @@ impl DaemonArgs {
         self.no_cache || (file.no_cache && self.cache.is_none())
     }
 
-    /// The cache. One that was asked for must be usable; the default one is done without if it is not.
+    /// The cache. One that was asked for must be readable; the default one is done without if it is not.
     fn cache(&self, file: &Configuration) -> Result<Option<Cache>> {
         if self.is_without_cache(file) {
             return Ok(None);
         }
         let limit = self.cache_size.or(file.cache_size).map_or(cache::DEFAULT_LIMIT, |size| size.0);
-        if let Some(folder) = self.cache.as_ref().or(file.cache.as_ref()) {
-            let opened = Cache::open(folder, limit);
-            return opened.map(Some).with_context(|| format!("cache {}", folder.display()));
-        }
-        let Some(folder) = Cache::default_folder() else { return Ok(None) };
+        let named = self.cache.as_ref().or(file.cache.as_ref());
+        let Some(folder) = named.cloned().or_else(Cache::default_folder) else { return Ok(None) };
         match Cache::open(&folder, limit) {
-            Ok(cache) => Ok(Some(cache)),
-            Err(error) => {
+            Ok(cache) => {
+                // Now, and not when a map has been compiled.
+                if let Err(error) = cache.check_writable() {
+                    let folder = folder.display();
+                    tracing::warn!(%error, "cache {folder}: {error}; the archives in it are served, and nothing is added");
+                }
+                Ok(Some(cache))
+            }
+            Err(error) if named.is_none() => {
                 say(&format!("continuing without a cache: {}: {error}", folder.display()));
                 Ok(None)
             }
+            Err(error) => Err(error).with_context(|| format!("cache {}", folder.display())),
         }
     }
 }

@@ -75,9 +75,7 @@ impl Preparer {
             self.open_archive(map)
         } else {
             // The compiler would wait for who writes into a pipe, and with it all other maps.
-            if map.watch
-                && let Err(error) = open_regular(&map.source)
-            {
+            if let Err(error) = open_regular(&map.source) {
                 let why = format!("opening {}: {error}", map.source.display());
                 return Err(Refusal::Failed(why));
             }
@@ -141,10 +139,6 @@ impl Preparer {
         let (reading, options) =
             map.options.parse().map_err(|error| Refusal::Failed(format!("{error:#}")))?;
         let folder = source::folder(&map.source).unwrap_or_default();
-        // Others may give their bytes only once, or never.
-        if !std::fs::metadata(&map.source).is_ok_and(|metadata| metadata.is_file()) {
-            return Ok(None);
-        }
         let Ok(HashedInput { hash, files }) = cache.input_hash(&map.source, &folder) else {
             return Ok(None);
         };
@@ -256,7 +250,7 @@ impl Preparer {
     }
 
     fn remember_includes(&self, cache: &Cache, map: &MapSettings, included: &[PathBuf]) {
-        if included.is_empty() || !std::fs::metadata(&map.source).is_ok_and(|m| m.is_file()) {
+        if included.is_empty() {
             return;
         }
         let folder = source::folder(&map.source).unwrap_or_default();

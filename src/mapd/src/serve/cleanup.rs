@@ -1,5 +1,6 @@
 //! Removing the files of killed processes, and at the end those of the daemon.
 
+use super::generations::ONLY_HERE_SUFFIX;
 use super::nodes;
 use super::notice::Notice;
 use iceoryx2::prelude::Node;
@@ -45,10 +46,25 @@ pub(crate) fn clean(
     }
 }
 
-/// Removes every file of a domain without processes, so that leftovers of killed processes cannot get in the way. Unless
-/// `all` is set, keeps the domain's lock files, the generation numbers, and the records, on which observers may wait. Under the
-/// exclusive attach lock no process enters the domain.
-pub(crate) fn wipe(domain: &Domain, all: bool, _exclusive: &AttachGuard) {
+/// Removes every file of a domain without processes, so that leftovers of killed processes cannot get in the way. Keeps the
+/// domain's lock files, the generation numbers, and the records, on which observers may wait. Under the exclusive attach lock no
+/// process enters the domain.
+pub(crate) fn wipe(domain: &Domain, exclusive: &AttachGuard) {
+    let kept = [GENERATION_SUFFIX, ONLY_HERE_SUFFIX, RECORD_SUFFIX];
+    wipe_but(domain, exclusive, |name| {
+        name.starts_with('.') || kept.iter().any(|suffix| name.ends_with(suffix))
+    });
+}
+
+/// As [`wipe`], by the last process: keeps only files of these names, and root folder and lock files only for them.
+pub(crate) fn wipe_all(domain: &Domain, kept: &[String], exclusive: &AttachGuard) {
+    let is_lock = |name: &str| !kept.is_empty() && name.starts_with('.');
+    wipe_but(domain, exclusive, |name| is_lock(name) || kept.iter().any(|kept| kept == name));
+    // One that is not empty stays.
+    let _ = fs::remove_dir(domain.root());
+}
+
+fn wipe_but(domain: &Domain, _exclusive: &AttachGuard, is_kept: impl Fn(&str) -> bool) {
     // What cannot be removed is swept, reused or tried again by the next daemon.
     for entry in entries(Path::new(SHARED_MEMORY_FOLDER)) {
         let ours = entry.file_name().to_str().is_some_and(|name| name.starts_with(domain.prefix()));
@@ -56,19 +72,11 @@ pub(crate) fn wipe(domain: &Domain, all: bool, _exclusive: &AttachGuard) {
             let _ = fs::remove_file(entry.path());
         }
     }
-    if all {
-        let _ = fs::remove_dir_all(domain.root());
-        return;
-    }
     for entry in entries(domain.root()) {
-        let is_kept = |name: &str| {
-            name.starts_with('.')
-                || [GENERATION_SUFFIX, RECORD_SUFFIX].iter().any(|s| name.ends_with(s))
-        };
-        let kept = entry.file_name().to_str().is_some_and(is_kept);
-        if !kept {
+        if !entry.file_name().to_str().is_some_and(&is_kept) {
             let path = entry.path();
-            let _ = if path.is_dir() { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
+            let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+            let _ = if is_folder { fs::remove_dir_all(&path) } else { fs::remove_file(&path) };
         }
     }
 }

@@ -140,6 +140,18 @@ pub enum ServeError {
         /// What the system says.
         source: std::io::Error,
     },
+    /// Nothing keeps a generation's number from being handed out again.
+    #[error(
+        "generation {next} cannot be kept in {}: {error}; it is ahead of the clock, so nothing else keeps another map from getting the \
+         same number: make room there, or set the clock", file.display())]
+    NotKept {
+        /// The number.
+        next: u64,
+        /// Where it is to be kept.
+        file: PathBuf,
+        /// What the system says.
+        error: std::io::Error,
+    },
     /// A process of another release has the map's service open, with limits that are too small for this one.
     #[error(
         "service {service:?} is open in a process that made it with other limits ({error}); end the clients of the other release, or serve \

@@ -102,7 +102,7 @@ impl Server {
         let (lock, exclusive) = enter(domain).map_err(memory::or_shortage)?;
         let alone = exclusive.is_some() && Presence::is_deserted(domain);
         match &exclusive {
-            Some(guard) if alone => cleanup::wipe(domain, false, guard),
+            Some(guard) if alone => cleanup::wipe(domain, guard),
             Some(guard) => cleanup::sweep(domain, guard, &notify),
             None => {
                 notify(&Notice::LockHeld { lock: lock.path().to_owned() });
@@ -339,7 +339,7 @@ impl Drop for Server {
         if let Some(guard) = &exclusive
             && Presence::is_deserted(&self.domain)
         {
-            cleanup::wipe(&self.domain, true, guard);
+            cleanup::wipe_all(&self.domain, &self.generations.only_here(&self.domain), guard);
         }
     }
 }

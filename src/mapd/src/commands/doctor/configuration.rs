@@ -2,8 +2,8 @@
 
 use super::finding::Finding;
 use crate::daemon::{Configuration, check_name};
+use mapd_transport::open_regular;
 use std::collections::BTreeSet;
-use std::fs::File;
 use std::path::Path;
 
 /// Reads the file as the daemon does, and opens each map that it names.
@@ -36,7 +36,7 @@ pub(super) fn examine(path: &Path, out: &mut Vec<Finding>) {
             out.push(Finding::problem("configured map", found, "correct its options there"));
             continue;
         }
-        out.push(match File::open(&map.source) {
+        out.push(match open_regular(&map.source) {
             Ok(_) => Finding::ok("configured map", found),
             Err(error) => Finding::problem(
                 "configured map",
