@@ -1,5 +1,12 @@
 //! Damaged archives: making hashes fit, and asking everything.
 
+mod paths;
+mod places;
+pub mod random;
+mod views;
+
+pub use views::ask_under;
+
 use mapd_archive::{AlignedBytes, HEADER_LENGTH};
 use mapd_client::{LaneTypes, Map, NearestOptions, Region, Snapshot, Track, glam::DVec2};
 use mapd_query::route::{
@@ -14,6 +21,19 @@ const FEW: usize = 3;
 /// Asks everything of a map that may be damaged; only the absence of a panic counts.
 pub fn ask_everything(bytes: AlignedBytes) {
     let Ok(snapshot) = Snapshot::from_bytes(bytes) else { return };
+    ask_rows_of(&snapshot);
+    places::ask(snapshot.map());
+    paths::ask(snapshot.map());
+}
+
+/// As [`ask_everything`], but for batches, matches and paths: what takes long.
+pub fn ask_rows(bytes: AlignedBytes) {
+    if let Ok(snapshot) = Snapshot::from_bytes(bytes) {
+        ask_rows_of(&snapshot);
+    }
+}
+
+fn ask_rows_of(snapshot: &Snapshot) {
     let map = snapshot.map();
     for x in [-5.0, 20.0, 120.0] {
         let _ = map.nearest_lane(DVec2::new(x, 1.0), &NearestOptions::default());

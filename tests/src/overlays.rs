@@ -2,7 +2,8 @@
 
 use mapd_archive::{AlignedBytes, encode_overlay, verify_overlay};
 use mapd_overlay::{Document, Limits, Policy, Resolved, resolve};
-use mapd_query::Map;
+use mapd_query::vocabulary::VehicleClass;
+use mapd_query::{Lane, Map};
 use std::collections::HashMap;
 
 /// A stretch of a lane of a road.
@@ -29,6 +30,36 @@ pub fn over(map: Map<'_>, text: &str, may_loosen: bool) -> (AlignedBytes, Resolv
     let bytes = encode_overlay(&resolved.rows, map.content_hash()).expect("encodes");
     verify_overlay(&bytes).expect("proves");
     (bytes, resolved)
+}
+
+/// A document with entries of every kind: on a part of a lane, on whole lanes, some for the time of the epoch's week only.
+pub fn todays_entries(map: Map<'_>) -> String {
+    let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(VehicleClass::PassengerCar));
+    let lanes = map.lanes().filter(open).step_by(3);
+    let mut entries: Vec<String> = lanes
+        .enumerate()
+        .map(|(i, lane)| {
+            let (from, to) = (lane.section().s_start(), lane.section().s_end());
+            let (key, third) = (lane.key(), (to - from) / 3.0);
+            let (from, to) = (from + third, to - third);
+            let what = match i % 6 {
+                0 => format!(r#""kind":"closed","lanes":[{{"key":"{key}","s":[{from},{to}]}}]"#),
+                1 => format!(r#""kind":"speed","value":3,"lanes":[{{"key":"{key}"}}]"#),
+                2 => format!(
+                    r#""kind":"wet","weekly":[{{"days":["thu"],"from":"00:00","until":"01:00"}}],"lanes":[{{"key":"{key}"}}]"#
+                ),
+                3 => format!(r#""kind":"only","vehicles":["passengerCar"],"lanes":[{{"key":"{key}"}}]"#),
+                4 => format!(r#""kind":"no-overtaking","lanes":[{{"key":"{key}"}}]"#),
+                _ => format!(r#""kind":"warning","text":"cones","lanes":[{{"key":"{key}"}}]"#),
+            };
+            format!(r#"{{"id":"{i}",{what}}}"#)
+        })
+        .collect();
+    for signal in map.signals() {
+        let id = signal.id();
+        entries.push(format!(r#"{{"id":"off {id}","kind":"signal-off","signals":["{id}"]}}"#));
+    }
+    format!(r#"{{"entries":[{}]}}"#, entries.join(","))
 }
 
 impl Stretch {

@@ -14,8 +14,14 @@ use std::ops::RangeInclusive;
 /// How far apart cross-sections are compared with an area `[m]`. What is smaller is found by its corners.
 const AREA_STEP: f64 = 0.5;
 
+/// Cross-sections between two stored points of a lane at most: those of 1,000 km. Only a damaged archive has longer stretches.
+const MOST_STATIONS: f64 = 2_097_152.0;
+
 /// Ends are found to this `[m]`.
 const EXACT: f64 = 1e-3;
+
+/// Halvings towards an end at most: between large numbers there may be none that is near enough.
+const MOST_HALVINGS: usize = 64;
 
 /// The stretches of one place.
 pub(crate) struct ResolvedPlace<'a> {
@@ -133,7 +139,7 @@ impl<'p> Area<'p> {
             let is_near = a.max(b).cmpge(region.low - reach).all()
                 && a.min(b).cmple(region.high + reach).all();
             if is_near {
-                let count = ((to - from) / AREA_STEP).ceil().max(1.0);
+                let count = ((to - from) / AREA_STEP).ceil().max(1.0).min(MOST_STATIONS);
                 stations
                     .extend((0..=count as usize).map(|i| from + (to - from) * i as f64 / count));
             }
@@ -176,7 +182,10 @@ impl<'p> Area<'p> {
 
     /// Where the area ends between a station in it and one outside.
     fn end(&self, lane: &Lane<'_>, mut inside: f64, mut outside: f64) -> f64 {
-        while (outside - inside).abs() > EXACT {
+        for _ in 0..MOST_HALVINGS {
+            if (outside - inside).abs() <= EXACT {
+                break;
+            }
             let middle = 0.5 * (inside + outside);
             if self.meets(lane, middle) { inside = middle } else { outside = middle }
         }

@@ -95,7 +95,9 @@ impl<'a> Asked<'_, 'a> {
     fn first(&self, passing: bool, from: &Place, to: &Place, looks: &mut u32) -> Option<Place> {
         let middle = &self.place(0.5 * (from.s + to.s));
         *looks = looks.saturating_sub(1);
-        if to.s - from.s <= SHORTEST || *looks == 0 {
+        // Between large numbers there may be none.
+        let is_short = to.s - from.s <= SHORTEST || middle.s <= from.s || middle.s >= to.s;
+        if is_short || *looks == 0 {
             return (self.passes(to) == passing).then_some(*to);
         }
         let may_be = |in_first: bool| self.may_be(passing, [from, middle, to], in_first);

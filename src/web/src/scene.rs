@@ -13,6 +13,14 @@ use mapd_query::glam::DVec3;
 use mapd_query::view::View;
 use mapd_query::{LaneSection, Map};
 
+/// Parts that one stretch is drawn in at most: none is so long but in a damaged archive.
+const MOST_PARTS: f64 = 16_384.0;
+
+/// Parts of equal length that a stretch is drawn in, none longer than a step unless there were too many.
+fn parts(length: f64, step: f64) -> usize {
+    (length / step).ceil().max(1.0).min(MOST_PARTS) as usize
+}
+
 /// What can be shown and hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]

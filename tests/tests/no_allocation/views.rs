@@ -2,6 +2,7 @@
 
 use crate::settles;
 use mapd_archive::open_overlay;
+use mapd_client::Point;
 use mapd_client::glam::DMat3;
 use mapd_client::localisation::{MatchOptions, VehiclePose};
 use mapd_client::route::{
@@ -11,8 +12,8 @@ use mapd_client::route::{
 use mapd_client::signals::SignalsAhead;
 use mapd_client::view::View;
 use mapd_client::vocabulary::VehicleClass;
-use mapd_client::{Lane, Point, Snapshot};
 use mapd_query::path::{Corridor, PathBuffer, PathOptions};
+use mapd_tests::overlays::{over, todays_entries};
 use std::time::UNIX_EPOCH;
 
 /// What a view adds to a map's answers: nothing on the heap. On the town and on the crossing with signals, under entries of every kind on each third lane.
@@ -23,43 +24,12 @@ fn views_do_not_allocate_after_the_first_call() {
         mapd_tests::object_maps::open(&mapd_tests::crossroads::furnished()),
     ] {
         let map = snapshot.map();
-        let (bytes, resolved) = mapd_tests::overlays::over(map, &todays_entries(&snapshot), true);
+        let (bytes, resolved) = over(map, &todays_entries(map), true);
         assert_eq!(resolved.unplaced, []);
         let overlay = open_overlay(&bytes).expect("opens");
         let view = View::new(map, Some(&overlay), UNIX_EPOCH).expect("its own");
         settles("a view", 0, questions_of(view));
     }
-}
-
-/// A document with entries of every kind: on a part of a lane, on whole lanes, some for the time of the epoch's week only.
-fn todays_entries(snapshot: &Snapshot) -> String {
-    let map = snapshot.map();
-    let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.allows(VehicleClass::PassengerCar));
-    let lanes = map.lanes().filter(open).step_by(3);
-    let mut entries: Vec<String> = lanes
-        .enumerate()
-        .map(|(i, lane)| {
-            let (from, to) = (lane.section().s_start(), lane.section().s_end());
-            let (key, third) = (lane.key(), (to - from) / 3.0);
-            let (from, to) = (from + third, to - third);
-            let what = match i % 6 {
-                0 => format!(r#""kind":"closed","lanes":[{{"key":"{key}","s":[{from},{to}]}}]"#),
-                1 => format!(r#""kind":"speed","value":3,"lanes":[{{"key":"{key}"}}]"#),
-                2 => format!(
-                    r#""kind":"wet","weekly":[{{"days":["thu"],"from":"00:00","until":"01:00"}}],"lanes":[{{"key":"{key}"}}]"#
-                ),
-                3 => format!(r#""kind":"only","vehicles":["passengerCar"],"lanes":[{{"key":"{key}"}}]"#),
-                4 => format!(r#""kind":"no-overtaking","lanes":[{{"key":"{key}"}}]"#),
-                _ => format!(r#""kind":"warning","text":"cones","lanes":[{{"key":"{key}"}}]"#),
-            };
-            format!(r#"{{"id":"{i}",{what}}}"#)
-        })
-        .collect();
-    for signal in map.signals() {
-        let id = signal.id();
-        entries.push(format!(r#"{{"id":"off {id}","kind":"signal-off","signals":["{id}"]}}"#));
-    }
-    format!(r#"{{"entries":[{}]}}"#, entries.join(","))
 }
 
 /// All questions of a view, with buffers that it fills on the first round: how much each group of them found.

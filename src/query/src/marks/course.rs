@@ -3,10 +3,12 @@
 use super::form::{Form, Round, Straight};
 use super::{MarkFilter, MarkPoint, MarkSource, NearMark, Side};
 use crate::area::Slab;
+use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::profile::{self, At};
 use crate::road_mark::{RoadMark, RoadMarkLine};
+use crate::waypoints::MOST_STATIONS;
 use core::cmp::Ordering;
 use glam::{DVec2, DVec3};
 use mapd_archive::{RoadMarkColor, RoadMarkKind};
@@ -108,19 +110,28 @@ impl<'m> Course<'m> {
     }
 
     /// Tells of the places at multiples of a spacing that are painted, or may be: s, and where, relative to the local origin.
-    pub(super) fn points(&self, spacing: f64, mut visit: impl FnMut(f64, DVec3)) {
+    ///
+    /// Errors: there are more than [`MOST_STATIONS`].
+    pub(super) fn points(
+        &self,
+        spacing: f64,
+        mut visit: impl FnMut(f64, DVec3),
+    ) -> Result<(), QueryError> {
         let [from, to] = self.s;
-        let mut number = (from / spacing).ceil();
+        if (to - from) / spacing > MOST_STATIONS {
+            return Err(QueryError::Option("spacing"));
+        }
+        let first = (from / spacing).ceil();
+        let places = (0..=MOST_STATIONS as u32).map(|i| (first + f64::from(i)) * spacing);
         // What ends a stretch belongs to the next one.
-        while number * spacing < to {
-            let s = number * spacing;
+        for s in places.take_while(|s| *s < to) {
             if self.painted(s) != Some(false) {
                 let (at, road) = (self.slab.at(s), self.owner.road());
                 let z = road.elevation(at) + self.t(at) * road.roll(at).1;
                 visit(s, self.at(s).0.extend(z));
             }
-            number += 1.0;
         }
+        Ok(())
     }
 
     pub(super) fn mark_point(&self, s: f64, position: DVec3) -> MarkPoint {

@@ -60,7 +60,7 @@ impl Map<'_> {
     ///   multiples of the spacing from where the first stroke begins. Painted objects without such lines have them along their outlines;
     ///   stop lines also around their boxes. Lines longer than 10 km are no paint. Signals have none: the file does not say which way they extend.
     ///
-    /// Errors: numbers that are not finite.
+    /// Errors: numbers that are not finite; a spacing that gives more than a million points between two stored points of a lane.
     pub fn mark_points(
         &self,
         region: Region,
@@ -79,14 +79,17 @@ impl Map<'_> {
         let shift = shift(*self);
         let (from, to) = (low - shift, high + shift);
         let (middle, reach) = (0.5 * (from + to), round_up(0.5 * (to - from).length()));
-        let mut markless = Markless::NONE;
+        let (mut markless, mut result) = (Markless::NONE, Ok(()));
         index::visit_box(self.tables(), from, to, |leaf| {
             let (lanes, segments) = (leaf.lane(), leaf.segment());
             let away = middle - DVec2::new(f64::from(leaf.x()), f64::from(leaf.y()));
             let lower = index::lower_bounds(leaf, away.x as f32, away.y as f32, None);
             for k in (0..lower.len()).filter(|k| lower[*k] <= reach) {
                 each_course(*self, lanes[k], segments[k], filter, &mut markless, |course| {
-                    course.points(spacing, |s, local| {
+                    if result.is_err() {
+                        return;
+                    }
+                    result = course.points(spacing, |s, local| {
                         let flat = local.truncate();
                         if flat.cmpge(low).all() && flat.cmple(high).all() {
                             let position = local + self.origin().extend(0.0);
@@ -96,6 +99,7 @@ impl Map<'_> {
                 });
             }
         });
+        result?;
         painted::each_point(*self, &Asked { region, spacing, filter }, &mut |point| {
             out.push(point)
         });

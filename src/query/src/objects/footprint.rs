@@ -55,7 +55,7 @@ impl<'a> ObjectPlacement<'a> {
         self.edges(|a, b, _| around += a.distance(b));
         let step = step.max(around / most.max(1) as f64);
         self.edges(|a, b, _| {
-            let parts = (a.distance(b) / step).ceil().max(1.0) as u32;
+            let parts = clamp((a.distance(b) / step).ceil(), 1.0, most.max(1) as f64) as u32;
             out.extend((0..parts).map(|i| a.lerp(b, f64::from(i) / f64::from(parts))));
         });
     }

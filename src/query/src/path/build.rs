@@ -2,7 +2,7 @@
 
 use super::along::center;
 use super::arc::Arc;
-use super::change::{LaneChange, Shift};
+use super::change::{LaneChange, PARTS, Shift};
 use super::speed::{Way, note_ways};
 use super::{Path, PathBuffer, PathError, PathJoint, PathOptions, Piece, Span};
 use crate::area;
@@ -313,7 +313,11 @@ impl Builder<'_, '_, '_> {
             if from < to {
                 let [mut begin, end] = if step.forward { [from, to] } else { [to, from] };
                 let hold = 0.5 * (slab.s_lo + slab.s_hi);
-                while begin != end {
+                // A part of each that the curve has, and what lies behind it: between large numbers a part has no end of its own.
+                for _ in 0..=PARTS as usize {
+                    if begin == end {
+                        break;
+                    }
                     let cut = shift.map_or(end, |shift| shift.cut([begin, end]));
                     // Behind its end a curve is none.
                     let on_it =

@@ -6,7 +6,7 @@ use crate::lane_edges::EdgeSlopes;
 use crate::profile::{At, Slope};
 
 /// Spans that a curve is cut into: S grows evenly enough on each.
-const PARTS: f64 = 16.0;
+pub(super) const PARTS: f64 = 16.0;
 /// Share of a part that is rounding.
 const ROUNDING: f64 = 1e-6;
 

@@ -1,5 +1,6 @@
 //! Where other traffic meets a path.
 
+use super::overlaps::Looks;
 use super::{Path, Piece};
 use crate::extents::SRange;
 use crate::ids::LaneId;
@@ -117,7 +118,7 @@ impl PathConflict {
 impl Path<'_, '_> {
     /// Where other lanes meet the path, in ascending S: those of junctions that the map knows to conflict; lanes that lead into the path's own from
     /// elsewhere, and lanes beside it that end and have to be left for it ([`ConflictKind::Merge`]); and lanes of other roads in whose area the
-    /// driven line lies on the same level ([`ConflictKind::Overlap`], looked for every 2 m). Outside junctions, stop, give-way and priority signs up to 30 m before say
+    /// driven line lies on the same level ([`ConflictKind::Overlap`], looked for every 2 m, over thousands of kilometres only in part). Outside junctions, stop, give-way and priority signs up to 30 m before say
     /// who goes first. Left out are lanes that are closed to every
     /// vehicle outside junctions, and what is the path's own way: a stretch of another lane that the path drives just before or behind the common place.
     /// Others may come to it where the stretch begins before the path is on that lane, or where the path drives the lane at another time: such places
@@ -125,7 +126,7 @@ impl Path<'_, '_> {
     /// bicycles cross on is [`Path::crossings`].
     pub fn conflicts(&self, out: &mut Vec<PathConflict>) {
         out.clear();
-        let mut next = 0;
+        let (mut next, mut looks) = (0, Looks::of(self.buffer.spans.len()));
         while let Some((piece, end)) = self.run(next) {
             let first = std::mem::replace(&mut next, end);
             let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
@@ -153,7 +154,7 @@ impl Path<'_, '_> {
             }
             let told = out.len();
             self.merges(first, &piece, &lane, out);
-            self.overlaps(first, &piece, &lane, out);
+            self.overlaps(first, &piece, &lane, &mut looks, out);
             for own in out.get_mut(told..).unwrap_or(&mut []) {
                 self.settle(end - 1, own);
             }

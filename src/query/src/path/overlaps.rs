@@ -23,6 +23,9 @@ const OWN_WAY: f64 = 24.0;
 const CHUNK: f64 = 24.0;
 /// Stretches of lanes near a chunk that are kept for its places; where there are more, each place asks the index.
 const MOST_NEAR: usize = 64;
+/// Looks at chunks, places and what is known there already of one path, besides one for each of its spans: those of more than 1,900 km where few lanes overlap. Only a
+/// damaged archive has longer ones, of any length.
+const MOST_LOOKS: usize = 1 << 20;
 
 /// Stretches of other roads' lanes near a chunk: row of the lane and number of the segment.
 struct Near {
@@ -30,6 +33,27 @@ struct Near {
     count: usize,
     /// Whether there was no room for all.
     is_full: bool,
+}
+
+/// Looks that a path has left.
+pub(super) struct Looks(usize);
+
+impl Looks {
+    /// Of a path with so many spans.
+    pub(super) fn of(spans: usize) -> Self {
+        Self(spans.saturating_add(MOST_LOOKS))
+    }
+
+    /// Takes one; whether there was one left.
+    fn take(&mut self) -> bool {
+        let is_left = self.0 > 0;
+        self.spend(1);
+        is_left
+    }
+
+    fn spend(&mut self, count: usize) {
+        self.0 = self.0.saturating_sub(count);
+    }
 }
 
 /// A piece that is looked along.
@@ -47,6 +71,7 @@ impl<'a> Path<'a, '_> {
         number: usize,
         piece: &Piece,
         lane: &Lane<'a>,
+        looks: &mut Looks,
         out: &mut Vec<PathConflict>,
     ) {
         let own = Along { number, piece, lane };
@@ -58,11 +83,13 @@ impl<'a> Path<'a, '_> {
             let (chunk, later) = rest.split_at(count);
             rest = later;
             let parts = (first.length / CHUNK).ceil().max(1.0);
-            let mut part = 0.0;
-            while part < parts {
-                let shares = [part / parts, (part + 1.0) / parts];
-                self.overlaps_of(&own, chunk, shares, before, out);
-                part += 1.0;
+            // Casts saturate; what is that long runs out of looks.
+            for part in 0..parts as u64 {
+                if !looks.take() {
+                    return;
+                }
+                let shares = [part as f64 / parts, (part + 1) as f64 / parts];
+                self.overlaps_of(&own, chunk, shares, before, looks, out);
             }
         }
     }
@@ -74,26 +101,31 @@ impl<'a> Path<'a, '_> {
         chunk: &[Span],
         shares: [f64; 2],
         before: usize,
+        looks: &mut Looks,
         out: &mut Vec<PathConflict>,
     ) {
         let Some(near) = self.near(own, chunk, shares) else { return };
         for span in chunk {
             let parts = (span.length / STEP).ceil().max(1.0);
             let reach = 0.5 * span.length / parts;
-            let mut part = 0.5 + (shares[0] * parts - 0.5).ceil().max(0.0);
-            while part < parts * shares[1] {
+            let first = (shares[0] * parts - 0.5).ceil().max(0.0) as u64;
+            let middles = (first..u64::MAX).map(|part| part as f64 + 0.5);
+            for part in middles.take_while(|part| *part < parts * shares[1]) {
+                if !looks.take() {
+                    return;
+                }
                 let gone = span.length * part / parts;
-                part += 1.0;
                 let at = span.place(span.s_at(gone));
                 let shift = self.shift(span);
                 let Ok(place) = center(own.lane, at, own.piece.forward, shift) else { continue };
                 let along = [span.along + gone - reach, span.along + gone + reach];
-                self.overlaps_at(own, &near, Point::from(place.position), along, before, out);
+                let point = Point::from(place.position);
+                looks.spend(self.overlaps_at(own, &near, point, along, before, out));
             }
         }
     }
 
-    /// Adds lanes that hold a place of the driven line.
+    /// Adds lanes that hold a place of the driven line; how many of those that are known it has looked at.
     fn overlaps_at(
         &self,
         own: &Along<'a, '_>,
@@ -102,17 +134,20 @@ impl<'a> Path<'a, '_> {
         along: [f64; 2],
         before: usize,
         out: &mut Vec<PathConflict>,
-    ) {
+    ) -> usize {
+        let mut looked_at = 0;
         let options =
             NearestOptions { radius: 0.0, z_tolerance: Some(LEVEL), ..Default::default() };
         let mut found = |other: &Lane<'a>, s: f64| {
             if self.is_near_way(own.number, along, other.row_number(), [s; 2], OWN_WAY) {
                 return;
             }
-            let known =
-                out.get_mut(before..).unwrap_or(&mut []).iter_mut().find(|known| {
-                    known.other == other.lane_id() && known.along[1] + STEP >= along[0]
-                });
+            // What goes on was added lately.
+            let mut all = out.get_mut(before..).unwrap_or(&mut []).iter_mut().rev();
+            let known = all.find(|known| {
+                looked_at += 1;
+                known.other == other.lane_id() && known.along[1] + STEP >= along[0]
+            });
             match known {
                 Some(known) => {
                     known.along[1] = known.along[1].max(along[1]);
@@ -124,7 +159,8 @@ impl<'a> Path<'a, '_> {
         };
         if near.is_full {
             let counts = |other: &Lane<'a>| self.may_overlap(own, other);
-            return self.map.each_lane_at(point, &options, counts, found);
+            self.map.each_lane_at(point, &options, counts, found);
+            return looked_at;
         }
         let local = point.xy - self.map.origin();
         for stretch in &near.stretches[..near.count] {
@@ -134,6 +170,7 @@ impl<'a> Path<'a, '_> {
                 found(&other, held.position.s);
             }
         }
+        looked_at
     }
 
     /// The stretches of other roads' lanes near a chunk; none where there are none.

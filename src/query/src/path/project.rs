@@ -16,6 +16,8 @@ const HINT_REACH: f64 = 30.0;
 const STEPS: usize = 24;
 /// Parts of a span whose ends are looked at where steps do not come to a foot.
 const PARTS: usize = 16;
+/// Halvings of two parts of a span at most: where S is so large that no number lies between two, no step gets short enough.
+const MOST_HALVINGS: usize = 64;
 /// A step by less than this is the last one towards a foot `[m]`: it leaves an error of its square.
 const STEP: f64 = 5e-7;
 /// Nearness to the line's centre of curvature, as a share of the radius, below which steps are not made longer.
@@ -189,7 +191,10 @@ impl<'b> Path<'_, 'b> {
         }
         let mut low = (best.gone - part).max(0.0);
         let mut high = (best.gone + part).min(span.length);
-        while high - low > STEP {
+        for _ in 0..MOST_HALVINGS {
+            if high - low <= STEP {
+                break;
+            }
             let middle = self.foot_at(span, local, low.midpoint(high))?;
             *(if middle.ahead > 0.0 { &mut low } else { &mut high }) = middle.gone;
             if middle.distance <= best.distance {
@@ -230,7 +235,11 @@ impl<'b> Search<'_, 'b> {
         if least > self.bound {
             return;
         }
+        // None is where all are no numbers, as in a damaged archive.
         let nearest = within(&squares, least).trailing_zeros() as usize;
+        if nearest >= WIDTH {
+            return;
+        }
         // The nearest one bounds the search for the others.
         self.look_at(level, number * WIDTH + nearest, least);
         let mut open = within(&squares, self.bound) & !(1 << nearest);

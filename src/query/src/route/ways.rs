@@ -114,7 +114,7 @@ impl<'a> Ways<'a> for Map<'a> {
 
     #[inline]
     fn follows(&self, before: u32, number: u32) -> bool {
-        before + 1 == number
+        before.checked_add(1) == Some(number)
     }
 
     #[inline]

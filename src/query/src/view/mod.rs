@@ -110,8 +110,8 @@ impl<'a> View<'a> {
     #[inline]
     fn touches(&self, lane: &Lane<'a>) -> bool {
         let Some(tables) = self.tables() else { return false };
-        let nodes = lane.row.nodes();
-        (0..nodes.count).any(|i| is_touched(tables.touched, nodes.first.wrapping_add(i)))
+        let mut nodes = lane.row.nodes().rows(self.map.tables().lane_nodes.len());
+        nodes.any(|node| is_touched(tables.touched, node))
     }
 
     /// Where a node of the map is among the overlay's; none where the overlay says nothing of it.

@@ -1,6 +1,6 @@
 //! What stands on and beside lanes, and what is known of the map itself.
 
-use super::{middle, place};
+use super::{middle, parts, place};
 use crate::drawing::{Drawing, Pen, TILE, level};
 use crate::paint::Paint;
 use crate::signs::SignalSign;
@@ -135,7 +135,7 @@ pub(super) fn conflicts(map: Map<'_>, drawing: &mut Drawing) {
             Pen { paint: Paint::Conflict as u8, level: level_of(map, &lane), ..Pen::default() };
         for conflict in lane.conflicts() {
             let SRange { low: from, high: to } = conflict.s_range();
-            let steps = ((to - from) / CONFLICT_STEP).ceil().max(1.0) as usize;
+            let steps = parts(to - from, CONFLICT_STEP);
             let s = |i: usize| from + (to - from) * i as f64 / steps as f64;
             let points = (0..=steps).filter_map(|i| lane.pose_at(s(i), 0.0).ok());
             drawing.line(points.map(|pose| pose.position), &pen);

@@ -1,13 +1,13 @@
 //! What is laid over the map now.
 
-use super::place;
 use super::things::{in_tiles, level_of};
+use super::{parts, place};
 use crate::drawing::{Drawing, EdgePoint, Fill, Pen};
 use crate::paint::Paint;
 use mapd_query::glam::DVec3;
 use mapd_query::view::View;
 
-/// How far apart the corners of a drawn stretch are at most `[m]`.
+/// How far apart the corners of a drawn stretch are at most `[m]`, unless there were too many.
 const STEP: f64 = 2.0;
 
 /// The stretch of a lane on which each entry holds: an area and its outline.
@@ -21,7 +21,7 @@ pub(super) fn stretches(view: View<'_>, drawing: &mut Drawing) {
         drawing.near(at.truncate());
         let (paint, level) = (Paint::from(one.entry.kind()) as u8, level_of(map, &lane));
         let length = one.s_to - one.s_from;
-        let count = (length / STEP).ceil().max(1.0) as usize;
+        let count = parts(length, STEP);
         let corners = |i: usize| {
             let s = one.s_from + length * i as f64 / count as f64;
             Some((s, lane.edge_points_at(s)?))
