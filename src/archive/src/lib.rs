@@ -97,7 +97,9 @@ pub use object_codes::{
     object_flags, outline_flags,
 };
 pub use open::{Archive, open, string};
-pub use overlay::{Overlay, open_overlay, overlay_changes_ways, overlay_string, verify_overlay};
+pub use overlay::{
+    Overlay, open_overlay, overlay_changes_ways, overlay_string, verify_overlay, verify_overlay_on,
+};
 pub use overlay_codes::OverlayKind;
 pub use points::{PackedPoint, PointCode, PointReader};
 pub use prefetch::prefetch;

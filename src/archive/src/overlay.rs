@@ -9,7 +9,7 @@ use crate::error::{OpenError, VerifyError};
 use crate::header::{HEADER_LENGTH, Header};
 use crate::open::{string_of, whole};
 use crate::verify::{Check, strings};
-use crate::{OverlayKind, OverlayTables};
+use crate::{ArchivedPieceRow, NONE, OverlayKind, OverlayTables, Tables, beside_row};
 
 /// Tells an overlay from a map, among the features that a reader must know of.
 pub(crate) const OVERLAY_BIT: u64 = 1 << 63;
@@ -96,6 +96,40 @@ pub fn verify_overlay(bytes: &[u8]) -> Result<Overlay<'_>, VerifyError> {
     }
     nodes(tables)?;
     Ok(overlay)
+}
+
+/// Proves of a proved overlay that it fits the map that it is for: its rows name rows of the map, and nodes beside each other are cut at the same places.
+///
+/// Errors: the first thing that is wrong, with table, row and field.
+pub fn verify_overlay_on(overlay: &Overlay<'_>, map: &Tables<'_>) -> Result<(), VerifyError> {
+    let tables = &overlay.tables;
+    let at = |table, row| Check { table, row };
+    for (i, row) in tables.signal_entries.iter().enumerate() {
+        if row.signal() as usize >= map.signals.len() {
+            at("signal_entries", i).fail("signal", "a signal of the map", row.signal())?;
+        }
+    }
+    for (i, own) in tables.nodes.iter().enumerate() {
+        let check = at("nodes", i);
+        let Some(node) = map.lane_nodes.get(own.node() as usize) else {
+            return check.fail("node", "a node of the map", own.node());
+        };
+        let pieces = own.pieces().of(tables.pieces);
+        for beside in [node.left(), node.right()].map(|row| beside_row(own.node(), row)) {
+            let known = tables.nodes.binary_search_by_key(&beside, |row| row.node()).ok();
+            let known = known.and_then(|row| tables.nodes.get(row));
+            // What is not cut need not stand there.
+            let other = known.map_or(&[][..], |row| row.pieces().of(tables.pieces));
+            let is_alike = || {
+                let ends = |row: &ArchivedPieceRow| [row.s_from(), row.s_to()];
+                other.len() == pieces.len() && other.iter().map(ends).eq(pieces.iter().map(ends))
+            };
+            if beside != NONE && pieces.len().max(other.len()) > 1 && !is_alike() {
+                check.fail("pieces", format!("those of node {beside} beside it"), own.node())?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Nodes stand where `touched` says, each piece is that of its node, and what changes ways on it is about vehicles that the node names.

@@ -3,7 +3,9 @@
 
 use crate::error::ClientError;
 use crate::file;
-use mapd_archive::{AlignedBytes, Archive, Overlay, open, open_overlay, verify};
+use mapd_archive::{
+    AlignedBytes, Archive, Overlay, open, open_overlay, verify, verify_overlay, verify_overlay_on,
+};
 use mapd_query::Map;
 use mapd_query::view::View;
 use mapd_transport::{AttachError, Mapping, Pinned, PinnedOverlay};
@@ -210,13 +212,18 @@ impl Snapshot {
         &self.inner.source_name
     }
 
-    /// Verifies the whole archive, its content hash included. Linear in its size; attaching does not do this.
+    /// Verifies the whole archive, its content hash included, and the overlay, if there is one, which has to fit the map. Linear in their size; attaching does not do this.
     ///
     /// Errors: the first fault that is found.
     pub fn verify(&self) -> Result<(), ClientError> {
         let source_name = || self.inner.source_name.to_string();
-        verify(self.bytes())
-            .map(|_| ())
-            .map_err(|source| ClientError::Verify { source_name: source_name(), source })
+        let verified = verify(self.bytes()).and_then(|archive| match &self.over {
+            None => Ok(()),
+            Some(over) => {
+                let overlay = verify_overlay(over.memory.bytes())?;
+                verify_overlay_on(&overlay, &archive.tables)
+            }
+        });
+        verified.map_err(|source| ClientError::Verify { source_name: source_name(), source })
     }
 }

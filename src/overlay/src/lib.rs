@@ -9,6 +9,7 @@
 //! Invariants: a document keeps what it was given, in the terms in which it was given; resolving changes nothing in it. Everything is bounded by
 //! [`Limits`]. No I/O, no clock: moments are the caller's. Deliberately absent: publishing, which is the daemon's.
 
+mod depth;
 mod document;
 mod entry;
 mod line;

@@ -155,7 +155,8 @@ fn cut(
     let mut ends: Vec<f64> = cuts.to_vec();
     ends.insert(0, start);
     ends.push(end);
-    let mut spans: Vec<[f64; 2]> = ends.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+    let spans = ends.windows(2).map(|pair| [pair[0], pair[1]]);
+    let mut spans: Vec<_> = spans.zip(held_on(&ends, marks, held)).collect();
     if !node.is_forward() {
         spans.reverse();
     }
@@ -163,17 +164,8 @@ fn cut(
     let whole = node.length();
     let own = rows.nodes.len() as u32;
     let mut passed = 0.0;
-    for [s_from, s_to] in spans {
-        let middle = 0.5 * (s_from + s_to);
+    for ([s_from, s_to], entries) in spans {
         let first = rows.piece_entries.len() as u32;
-        let here = marks.iter().filter(|mark| mark.s_from <= middle && middle <= mark.s_to);
-        let mut entries = Vec::new();
-        for mark in here {
-            entries.push(mark.entry);
-            held.get_mut(mark.place as usize).into_iter().for_each(|held| *held = true);
-        }
-        entries.sort_unstable();
-        entries.dedup();
         rows.piece_entries.extend_from_slice(&entries);
         let is_whole = cuts.is_empty();
         let length = if is_whole { whole } else { lane.length_between(s_from, s_to) };
@@ -189,6 +181,28 @@ fn cut(
         });
         passed += length;
     }
+}
+
+/// The entries that hold in the middle of each part between two ends, ascending. Notes of their places that they hold.
+fn held_on(ends: &[f64], marks: &[Mark], held: &mut [bool]) -> Vec<Vec<u32>> {
+    let mut later: Vec<&Mark> = marks.iter().collect();
+    later.sort_by(|a, b| b.s_from.total_cmp(&a.s_from));
+    let mut open: Vec<&Mark> = Vec::new();
+    let parts = ends.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    let of = |middle: f64| {
+        while let Some(mark) = later.pop_if(|mark| mark.s_from <= middle) {
+            open.push(mark);
+        }
+        open.retain(|mark| middle <= mark.s_to);
+        for mark in &open {
+            held.get_mut(mark.place as usize).into_iter().for_each(|held| *held = true);
+        }
+        let mut entries: Vec<u32> = open.iter().map(|mark| mark.entry).collect();
+        entries.sort_unstable();
+        entries.dedup();
+        entries
+    };
+    parts.map(of).collect()
 }
 
 fn row(node: &LaneNode<'_>) -> u32 {

@@ -1,5 +1,6 @@
 //! Where entries hold on a map, kept: an entry that did not change is not placed again.
 
+use crate::depth::{Depths, MOST_AT_A_PLACE};
 use crate::document::Document;
 use crate::entry::Entry;
 use crate::pieces::{self, Mark, Marks, SHORTEST_PIECE};
@@ -182,7 +183,7 @@ impl Placements {
         let (mut marks, mut unplaced) = (Marks::new(), Vec::new());
         // Of each entry that holds, the first of its places among all, and how many it has.
         let (mut own_places, mut places_in_all) = (Vec::new(), 0_u32);
-        let mut lines = 0.0;
+        let (mut lines, mut depths) = (0.0, Depths::default());
         for (number, entry) in document.entries.iter().enumerate() {
             let unfit = |why, is_part| unplaced_entry(document, number, why, is_part);
             let known = self.known.get(&entry.id).filter(|known| known.entry == *entry);
@@ -193,16 +194,26 @@ impl Placements {
                 }
                 Some(Err(why)) => unplaced.push(unfit(why.clone(), false)),
                 Some(Ok(known)) if lines <= LINES_TOGETHER || entry.places.is_empty() => {
-                    unplaced.extend(known.unplaced.iter().map(|part| unfit(part.clone(), true)));
-                    let own = add(entry, &mut strings, &mut rows);
-                    own_places.push((number, places_in_all as usize, known.ends.len()));
+                    let mut own_marks = Vec::new();
                     for (i, stretch) in known.location.stretches.iter().enumerate() {
                         let LocatedStretch { lane, s_from, s_to } = *stretch;
                         let Ok(lane) = map.lane(lane) else { continue };
                         let before = known.ends.partition_point(|end| *end as usize <= i);
                         let place = places_in_all + before as u32;
-                        mark(&lane, Mark { s_from, s_to, entry: own, place }, &mut marks);
+                        let own = rows.entries.len() as u32;
+                        mark(&lane, Mark { s_from, s_to, entry: own, place }, &mut own_marks);
                     }
+                    if !depths.have_room(&own_marks) {
+                        unplaced.push(unfit(too_many(), false));
+                        continue;
+                    }
+                    depths.add(&own_marks);
+                    for (node, mark) in own_marks {
+                        marks.entry(node).or_default().push(mark);
+                    }
+                    unplaced.extend(known.unplaced.iter().map(|part| unfit(part.clone(), true)));
+                    let own = add(entry, &mut strings, &mut rows);
+                    own_places.push((number, places_in_all as usize, known.ends.len()));
                     places_in_all += known.ends.len() as u32;
                     let of_signal = |signal: &u32| SignalEntryRow { signal: *signal, entry: own };
                     rows.signal_entries.extend(known.location.signals.iter().map(of_signal));
@@ -269,12 +280,20 @@ fn too_short(document: &Document, number: usize, place: usize) -> PlaceError {
     PlaceError::new(field.unwrap_or_default(), why)
 }
 
-/// Marks the nodes that a stretch of a lane touches.
-fn mark(lane: &Lane<'_>, mark: Mark, marks: &mut Marks) {
+/// An entry that holds where as many hold as may.
+fn too_many() -> PlaceError {
+    let why = format!(
+        "{MOST_AT_A_PLACE} entries before it hold at one place of its lanes; no more are taken"
+    );
+    PlaceError::new("lanes", why)
+}
+
+/// Lists the nodes that a stretch of a lane touches.
+fn mark(lane: &Lane<'_>, mark: Mark, marks: &mut Vec<(u32, Mark)>) {
     for node in lane.nodes() {
         let SRange { low: start, high: end } = node.s_range();
         if start.max(mark.s_from) < end.min(mark.s_to) {
-            marks.entry(node.node_id().row()).or_default().push(mark);
+            marks.push((node.node_id().row(), mark));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Overlays: what is refused, when entries hold, what a view says.
 
-use mapd_archive::{OpenError, OverlayRows, open_overlay, verify_overlay};
+use mapd_archive::{OpenError, OverlayRows, Range, open_overlay, verify_overlay};
 use mapd_client::view::OverlayKind;
 use mapd_client::{Map, Snapshot};
 use mapd_overlay::{Document, DocumentError, Limits, Placements, Policy, resolve};
@@ -487,6 +487,83 @@ fn what_is_about_others_changes_no_way() {
     let by_truck = ask(&named, truck);
     assert!(by_truck.0 > 80.0 && by_truck.1 > 1, "{by_truck:?}");
     assert_eq!(by_truck, ask(&unnamed, truck));
+}
+
+/// Entries within each other: of those at one place so many are taken that the tables grow with entries and pieces, not with both together. Who comes first stays.
+#[test]
+fn entries_within_each_other() {
+    /// As docs/overlay.md says.
+    const MOST_AT_A_PLACE: usize = 256;
+    const ENTRIES: usize = 600;
+    let right = lane(-1, "") + &lane(-2, "");
+    let line = Line(0.0, 0.0, 0.0, 1000.0, 0.0);
+    let snapshot = open_text(&document(&road("A", "", line, "", &section(0.0, "", &right))));
+    let nested = |i: usize| {
+        let (id, s) = (i.to_string(), 0.5 * i as f64);
+        let what = if i == 0 { r#""kind":"closed""# } else { r#""kind":"warning""# };
+        entry(&id, what).replace("[40,60]", &format!("[{s},{}]", 900.0 - s))
+    };
+    // What lies beside them has room, and what comes later at another place.
+    let beside = entry("beside", r#""kind":"closed""#).replace("[40,60]", "[950,960]");
+    let all: Vec<String> = (0..ENTRIES).map(nested).chain([beside]).collect();
+    let (bytes, resolved) = over(snapshot.map(), &entries(&all), false);
+    let OverlayRows { entries, pieces, piece_entries, .. } = &resolved.rows;
+    assert_eq!(entries.len(), MOST_AT_A_PLACE + 1);
+    assert!(piece_entries.len() <= MOST_AT_A_PLACE * pieces.len());
+    let left_out: Vec<_> = resolved.unplaced.iter().map(|unfit| unfit.number).collect();
+    assert_eq!(left_out, (MOST_AT_A_PLACE..ENTRIES).collect::<Vec<_>>());
+    for unfit in &resolved.unplaced {
+        assert!(unfit.why.contains("256 entries") && !unfit.is_part, "{unfit:?}");
+    }
+    let overlay = open_overlay(&bytes).expect("opens");
+    let view = View::new(snapshot.map(), Some(&overlay), at(0.0)).expect("its own");
+    for (s, by) in [(10.0, Some("0")), (450.0, Some("0")), (920.0, None), (955.0, Some("beside"))] {
+        let answer = view.allows(lane_id(snapshot.map(), -1), s, CAR).expect("an answer");
+        assert_eq!(answer.restriction.map(|one| one.entry.id()), by, "at {s}");
+    }
+}
+
+/// What an overlay says of rows of its map is proven, too: nodes beside each other are cut alike, and a search meets no piece that is not there.
+#[test]
+fn overlays_that_do_not_fit_their_map() {
+    let snapshot = two_lanes();
+    let map = snapshot.map();
+    let text = entries(&[entry("a", r#""kind":"closed""#)]);
+    let (bytes, resolved) = over(map, &text, true);
+    let mut scratch = RouteScratch::default();
+    let mut check = |rows: &OverlayRows, expected: &str| {
+        let bytes = mapd_archive::encode_overlay(rows, map.content_hash()).expect("encodes");
+        verify_overlay(&bytes).expect("proves by itself");
+        let under = snapshot.with_overlay(bytes).expect("opens");
+        let error = under.verify().err().map(|error| format!("{error:?}")).unwrap_or_default();
+        assert!(error.contains(expected) && !expected.is_empty(), "{expected}: {error}");
+        let (view, lane) = (under.view(at(0.0)), lane_id(map, -1));
+        let [from, to] = [10.0, 90.0].map(|s| PositionOnLane { lane, s });
+        let (cost, mut steps) = (ShortestLength::default(), Vec::new());
+        let _ = view.route(from, to, CAR, &cost, &mut scratch, &mut steps);
+        let _ = view.reachable(from, 1e3, CAR, &cost, &mut scratch, &mut Vec::new());
+    };
+    snapshot.with_overlay(bytes).expect("opens").verify().expect("fits");
+    let parts = |rows: &OverlayRows| rows.nodes[0].pieces.count;
+    assert_eq!(parts(&resolved.rows), 3);
+    // All pieces of all nodes but the last are the first node's.
+    let mut one = resolved.rows;
+    let mut first = 0;
+    let nodes = one.nodes.len();
+    for i in 0..nodes {
+        let count = if i + 1 < nodes { 1 } else { one.pieces.len() as u32 - first };
+        one.nodes[i].pieces = Range { first, count };
+        for piece in &mut one.pieces[first as usize..(first + count) as usize] {
+            piece.node = i as u32;
+        }
+        first += count;
+    }
+    one.node_vehicles.clear();
+    check(&one, "beside it");
+    one.nodes.last_mut().expect("nodes").node = 63;
+    let touched = one.touched.last_mut().expect("words");
+    touched.bits = (touched.bits & !(1 << touched.bits.ilog2())) | 1 << 63;
+    check(&one, "a node of the map");
 }
 
 /// Whatever a damaged overlay says, nothing panics, and no search runs for ever.

@@ -172,7 +172,7 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
         let (node, index, count) = self.base(number);
         let (tables, beyond) = (self.view.map.tables(), [number.wrapping_add(1)]);
         // One loop, so that what is done with each is generated once.
-        let next = match index + 1 < count {
+        let next = match index.saturating_add(1) < count {
             true => &beyond,
             false => edges_of(tables.successor_offsets, tables.successors, node),
         };
@@ -185,7 +185,7 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
     fn behind(&self, number: u32, mut enter: impl FnMut(u32)) {
         let (node, index, _) = self.base(number);
         if index > 0 {
-            return enter(number - 1);
+            return enter(number.wrapping_sub(1));
         }
         self.view.map.behind(node, |before| {
             let pieces = self.view.pieces_for(before, self.vehicle);
@@ -202,12 +202,16 @@ impl<'a> Ways<'a> for OverlaidGraph<'a> {
             return Some(beside);
         }
         let (_, index, _) = self.base(number);
-        Some(self.nodes + pieces.start + index)
+        // Nodes beside each other are cut alike, but in a damaged overlay there may be no such piece.
+        let piece = pieces.start.checked_add(index).filter(|piece| pieces.contains(piece))?;
+        Some(self.nodes + piece)
     }
 
     fn follows(&self, before: u32, number: u32) -> bool {
         let ((own, index, count), (next, first, _)) = (self.base(before), self.base(number));
-        (own == next && index + 1 == first) || (index + 1 == count && first == 0 && own + 1 == next)
+        let is_next = |before: u32, number: u32| before.checked_add(1) == Some(number);
+        (own == next && is_next(index, first))
+            || (is_next(index, count) && first == 0 && is_next(own, next))
     }
 
     /// A bound of the map's from a node's beginning holds from a piece of it on less the way to there. Changes of lane in the middle of nodes and raised speeds leave at least a
