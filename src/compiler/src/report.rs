@@ -228,7 +228,8 @@ impl Collector {
     ///
     /// An error of the reader's says that the schema forbids something. Where the document cannot be read on, or the compiler finds the very thing
     /// unusable, nothing can be built; then it stands for the compiler's finding. So does an error of the rule on curves. Where either is graded
-    /// milder or switched off, the compiler's finding says why a part is left out. All other errors of the reader's are warnings, unless the
+    /// milder or switched off, the compiler's finding says why a part is left out. A finding of the reader's about a missing value stands for the compiler's
+    /// warning about it, too. All other errors of the reader's are warnings, unless the
     /// settings say that they are errors by themselves.
     ///
     /// What concerns parts that are left out already is no longer looked at. An error that is only counted does the same, but is not told: the
@@ -243,13 +244,19 @@ impl Collector {
     ) {
         let (mut unusable, built): (Vec<Finding>, Vec<Finding>) =
             built.into_iter().partition(|finding| finding.rule == building::UNUSABLE.id);
-        unusable.sort_by_key(|finding| finding.span.start);
+        let (mut missed, mut built): (Vec<Finding>, Vec<Finding>) =
+            built.into_iter().partition(|finding| !finding.subject.is_empty());
+        for list in [&mut unusable, &mut missed] {
+            list.sort_by_key(|finding| finding.span.start);
+        }
         let mut explained = vec![false; unusable.len()];
+        let mut said = vec![false; missed.len()];
         for one in counted.iter() {
             let tag = one.tag;
             let Some((finding, is_small)) = self.about_part(without_message(one), without) else {
                 continue;
             };
+            for_each_about(&finding, &mut missed, |at, _| said[at] = true);
             if finding.severity < Severity::Error {
                 continue;
             }
@@ -277,10 +284,13 @@ impl Collector {
             let is_error = finding.severity == Severity::Error;
             let mut stops =
                 is_error && is_small && is_unreadable(innermost(&finding.path), &finding);
-            for_each_about(&finding, &mut unusable, |at, _| {
-                explained[at] = true;
-                stops = true;
-            });
+            for_each_about(&finding, &mut missed, |at, _| said[at] = true);
+            if is_error {
+                for_each_about(&finding, &mut unusable, |at, _| {
+                    explained[at] = true;
+                    stops = true;
+                });
+            }
             self.push_read(finding, stops, places);
         }
         for (finding, explained) in unusable.into_iter().zip(explained) {
@@ -288,6 +298,8 @@ impl Collector {
                 self.push(finding, Effect::Stops, places);
             }
         }
+        let missed = missed.into_iter().zip(said);
+        built.extend(missed.filter(|(_, said)| !said).map(|(finding, _)| finding));
         self.add(built, places);
     }
 
@@ -448,6 +460,11 @@ impl Collector {
 
     pub(crate) fn is_rejected(&self) -> bool {
         self.rejecting > 0
+    }
+
+    /// Whether the document was read to its end.
+    pub(crate) fn is_read(&self) -> bool {
+        !self.causes.iter().any(Cause::hides_parts)
     }
 
     /// Whether nothing more is built of the document.

@@ -18,6 +18,8 @@ mod counted_parts;
 mod cycles;
 // An error takes its part out of the map, or rejects the map.
 mod errors;
+// What is missing is said once.
+mod follow_on;
 // What the command line says and does about a map that lost parts.
 mod holes;
 // What links of lanes break, within a road, between roads and through the connections of junctions.

@@ -7,6 +7,7 @@ use mapd_compiler::{Compilation, CompileOptions, OnError, Policy, ReadOptions, c
 use mapd_rules::{Grade, Settings};
 use mapd_tests::graph_maps::{self as graph, Line};
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, document};
+use mapd_xodr::Severity;
 
 fn compile(text: &str) -> Compilation {
     compile_without(text, &[])
@@ -258,6 +259,56 @@ fn a_missing_name_takes_no_object_or_signal_out() {
             let there = if lost.is_some_and(|lost| lost.starts_with("object 1")) { 0 } else { 1 };
             assert_eq!((rows.objects.len(), rows.signals.len()), (there, 1), "{what}");
             archive(&compiled);
+        }
+    }
+}
+
+/// The object was lost, with two findings, of which one said that the repetition alone is.
+#[test]
+fn a_repetition_without_its_place_leaves_the_object_alone() {
+    const REPEAT: [(&str, &str); 9] = [
+        ("s", "20"),
+        ("length", "36"),
+        ("distance", "4"),
+        ("tStart", "-3.4"),
+        ("tEnd", "-0.1"),
+        ("heightStart", "0.5"),
+        ("heightEnd", "0.5"),
+        ("zOffsetStart", "0"),
+        ("zOffsetEnd", "0"),
+    ];
+    let object = |written: &dyn Fn(&str) -> Option<String>| {
+        let repeat: String = REPEAT
+            .iter()
+            .filter_map(|(name, value)| {
+                let value = written(name).unwrap_or_else(|| (*value).to_owned());
+                (value != "-").then(|| format!(" {name}=\"{value}\""))
+            })
+            .collect();
+        format!(
+            r#"<object id="1" type="obstacle" s="50" t="-3.4" zOffset="0" orientation="-" height="0.5" radius="0.35"><repeat{repeat}/></object>"#
+        )
+    };
+    let sound = |version| document(&ObjectRoad { version, ..PLAIN }, &object(&|_| None));
+    for version in ["1.4", "1.5", "1.7", "1.9"] {
+        let warnings = |compiled: &Compilation| compiled.counts.of(Severity::Warning);
+        let due = warnings(&compile(&sound(version)));
+        for (missing, _) in REPEAT {
+            for value in ["-", ""] {
+                let object = object(&|name| (name == missing).then(|| value.to_owned()));
+                let compiled = compile(&document(&ObjectRoad { version, ..PLAIN }, &object));
+                let what = format!("{version} {missing}={value:?}");
+                check(&what, &compiled, Accepted, &[]);
+                let rows = compiled.rows.as_ref().expect("there is a map");
+                let is_alone = ["s", "length", "distance"].contains(&missing);
+                let copies = if is_alone { 0 } else { 10 };
+                assert_eq!((rows.objects.len(), rows.object_copies.len()), (1, copies), "{what}");
+                // In 1.4 nothing is required.
+                let more = if is_alone { 1..=1 } else { 0..=1 };
+                let more_found = warnings(&compiled) - due;
+                assert!(more.contains(&more_found), "{what}: {:?}", compiled.diagnostics);
+                archive(&compiled);
+            }
         }
     }
 }

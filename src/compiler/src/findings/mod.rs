@@ -6,6 +6,7 @@ mod too_large;
 pub(crate) use too_large::{TooLarge, too_large, too_many_ids, too_many_overlaps, unfit};
 
 use mapd_rules::Rule;
+use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity, Span, shorten_message};
 
 /// An entry of the catalog, and how grave a finding of it is.
@@ -13,6 +14,12 @@ use mapd_xodr::{Finding, Severity, Span, shorten_message};
 pub(crate) struct Graded {
     pub(crate) rule: &'static Rule,
     pub(crate) severity: Severity,
+}
+
+/// The document has no roads.
+pub(crate) fn no_roads() -> Finding {
+    let (path, message) = ("OpenDRIVE".to_owned(), "the map has no roads".to_owned());
+    finding(&building::NO_ROADS, Severity::Warning, Span::default(), path, message, "")
 }
 
 /// A finding of the compiler's own: as bad as its rule's usual ones, or milder.

@@ -9,7 +9,7 @@ pub(crate) fn is_small(unit: Unit) -> bool {
     matches!(unit.kind, PartKind::Object | PartKind::Signal)
 }
 
-/// An empty place of an object or signal is an error.
+/// An empty place of an object or signal is an error, as if it were missing.
 pub(crate) fn raise(finding: &mut Finding, is_small: bool) {
     if is_small && finding.rule == rule_ids::EMPTY && is_place(finding) {
         finding.severity = Severity::Error;
@@ -32,7 +32,7 @@ pub(crate) fn without_message(counted: CountedFinding) -> Finding {
     Finding { rule, severity, span, path, subject, message, hint, count: 0 }
 }
 
-/// Does something to each of the compiler's findings, which are in file order, that an error of the reader's is about; with its number.
+/// Does something to each of the compiler's findings, which are in file order, that a finding of the reader's is about; with its number.
 pub(crate) fn for_each_about(
     read: &Finding,
     unusable: &mut [Finding],
@@ -43,7 +43,7 @@ pub(crate) fn for_each_about(
     let tag = after.checked_sub(1).and_then(|last| unusable.get(last)).map(|one| one.span);
     let first = unusable.partition_point(|one| Some(one.span.start) < tag.map(|t| t.start));
     for (at, one) in unusable.iter_mut().enumerate().take(after).skip(first) {
-        if read.severity == Severity::Error && is_about(read, one) {
+        if is_about(read, one) {
             each(at, one);
         }
     }
@@ -52,6 +52,8 @@ pub(crate) fn for_each_about(
 /// Elements of an object that neither place nor shape it: a value in one of them hinders nothing else.
 const BESIDE_THE_SHAPE: [&str; 6] =
     ["marking", "cornerReference", "border", "material", "parkingSpace", "CRG"];
+/// Without its place a repetition is none: the object stands alone, where its own place is.
+const REPEAT: &str = "repeat";
 /// Attributes that name what is there all the same.
 const NAMES: [&str; 2] = ["id", "outlineId"];
 
@@ -67,7 +69,7 @@ pub(crate) fn is_unreadable(element: &str, read: &Finding) -> bool {
         rule_ids::VALUE | rule_ids::FINITE => {
             !BESIDE_THE_SHAPE.contains(&element) && !NAMES.contains(&&*read.subject)
         }
-        rule_ids::MISSING | rule_ids::EMPTY => is_place(read),
+        rule_ids::MISSING | rule_ids::EMPTY => element != REPEAT && is_place(read),
         _ => false,
     }
 }
@@ -77,7 +79,7 @@ fn is_place(read: &Finding) -> bool {
     matches!(&*read.subject, "s" | "t")
 }
 
-/// Whether a finding of the reader's is about what the compiler finds unusable.
+/// Whether a finding of the reader's is about a value that the compiler has a finding about.
 fn is_about(read: &Finding, unusable: &Finding) -> bool {
     let tag = unusable.span.start..unusable.span.start + u64::from(unusable.span.len);
     tag.contains(&{ read.span.start }) && read.subject == unusable.subject

@@ -256,18 +256,6 @@ impl Draft {
 
     /// What can be said of the document as a whole.
     pub(crate) fn finish_reading(&mut self, findings: &mut Vec<Finding>) {
-        if self.rows.roads.is_empty() {
-            let message = "the map has no roads".to_owned();
-            let path = "OpenDRIVE".to_owned();
-            findings.push(finding(
-                &building::NO_ROADS,
-                Severity::Warning,
-                Span::default(),
-                path,
-                message,
-                "",
-            ));
-        }
         if self.strings.is_full() {
             let message = "names and ids need more than 4 GiB".to_owned();
             let path = "OpenDRIVE".to_owned();

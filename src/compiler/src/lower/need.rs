@@ -92,6 +92,12 @@ impl ElementContext<'_> {
         self.findings.push(Finding { subject: subject.into(), ..finding });
     }
 
+    /// Adds a warning about an attribute. Where the reader has a finding about the same, that one stands for this one; see `Collector`.
+    pub(crate) fn missed(&mut self, rule: &'static Rule, subject: &str, message: String) {
+        let finding = self.finding(rule, Severity::Warning, message);
+        self.findings.push(Finding { subject: subject.into(), ..finding });
+    }
+
     /// Adds a finding about the element.
     pub(crate) fn add(&mut self, rule: &'static Rule, severity: Severity, message: String) {
         let finding = self.finding(rule, severity, message);

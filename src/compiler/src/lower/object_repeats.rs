@@ -1,21 +1,23 @@
 //! Repetitions of objects as written.
 
 use super::need::ElementContext;
-use super::objects::left_out;
 use crate::draft::{Lateral, Repeat};
+use mapd_rules::catalog::building;
 use mapd_xodr::{self as xodr, Attribute, Value as _};
 
-/// A repetition with the object's own sizes where it has none; none where it has no place.
+/// A repetition with the object's own sizes where it has none; none where it lacks its place or its distances.
 pub(super) fn repeat(
     object: &xodr::Object,
     repeat: &xodr::ObjectRepeat,
     part: &mut ElementContext<'_>,
 ) -> Option<Repeat> {
-    let (Some(s), Some(length)) = (repeat.s.value(), repeat.length.value()) else {
-        left_out(
-            part,
-            "expected @s and @length, found none; the repetition is left out".to_owned(),
-        );
+    let written = [("s", &repeat.s), ("length", &repeat.length), ("distance", &repeat.distance)];
+    let [Some(s), Some(length), Some(distance)] = written.map(|(_, number)| number.value()) else {
+        let missing = written.iter().find(|(_, number)| number.value().is_none());
+        let name = missing.map_or("", |(name, _)| *name);
+        let message =
+            format!("expected @{name}, found none; the object stands alone, at its own place");
+        part.missed(&building::OBJECT_PART, name, message);
         return None;
     };
     // Where one end is not given, the value stays; where neither is, the object's own holds.
@@ -39,7 +41,7 @@ pub(super) fn repeat(
     Some(Repeat {
         s,
         length: length.max(0.0),
-        distance: repeat.distance.value().unwrap_or(0.0).max(0.0),
+        distance: distance.max(0.0),
         t,
         z_offset: pair(&repeat.z_offset_start, &repeat.z_offset_end, own),
         height: pair(&repeat.height_start, &repeat.height_end, object.height.value()),

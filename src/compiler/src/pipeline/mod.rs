@@ -7,7 +7,7 @@ mod rounds;
 mod stream;
 
 use crate::draft::{Draft, Links};
-use crate::findings::{too_large, too_many_ids, too_many_overlaps, unfit};
+use crate::findings::{no_roads, too_large, too_many_ids, too_many_overlaps, unfit};
 use crate::options::{CompileOptions, ReadOptions};
 use crate::quarantine::{Cause, Exclusions, QuarantinedPart, Units};
 use crate::report::{Collector, Compilation, Progress, Verdict, Version};
@@ -299,6 +299,7 @@ fn read(
     let mut late = Vec::new();
     let whole = checker.whole();
     let lacks_ids = whole.lacks_ids();
+    let has_roads = whole.network().has_roads();
     let links = Links::new(&draft.road_spans, whole.network());
     // Nodes are made beside the rules. Where those reject the map, it is as if there were none.
     let is_sound = !collector.is_stopped();
@@ -320,6 +321,10 @@ fn read(
     free(rest);
     collector.add_last_read(read, &places, without);
     collector.add(checker.take_findings(), &places);
+    // Of a document that cannot be read, nobody knows.
+    if !has_roads && collector.is_read() {
+        late.push(no_roads());
+    }
     if lacks_ids {
         late.push(too_many_ids());
     }

@@ -42,14 +42,22 @@ impl Cause {
 
     /// Whether leaving something out would help: not where the document cannot be read on, or nobody knows what is missing.
     pub(crate) fn can_be_left_out(&self) -> bool {
-        !self.is_outside
-            && !matches!(
-                self.rule,
-                rule_ids::XML
-                    | rule_ids::LIMIT
-                    | rule_ids::ENCODING
-                    | rule_ids::COMPRESSION
-                    | rule_ids::ROOT
-            )
+        !self.is_outside && !self.ends_reading()
+    }
+
+    /// Whether nobody knows what else the document has: it cannot be read on, or lacks a file.
+    pub(crate) fn hides_parts(&self) -> bool {
+        self.ends_reading() || self.rule == rule_ids::INCLUDE
+    }
+
+    fn ends_reading(&self) -> bool {
+        matches!(
+            self.rule,
+            rule_ids::XML
+                | rule_ids::LIMIT
+                | rule_ids::ENCODING
+                | rule_ids::COMPRESSION
+                | rule_ids::ROOT
+        )
     }
 }

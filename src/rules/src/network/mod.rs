@@ -108,6 +108,11 @@ impl Network {
         self.names.find(id)
     }
 
+    /// Whether the document has roads, whatever may be wrong with them.
+    pub fn has_roads(&self) -> bool {
+        !self.roads.is_empty() || !self.roads_apart.is_empty()
+    }
+
     /// Whether the ids that the document has and names are together longer than 4 GiB, so that some of them count as empty.
     pub fn lacks_ids(&self) -> bool {
         self.names.is_incomplete()

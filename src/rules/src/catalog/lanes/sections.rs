@@ -83,7 +83,9 @@ fn first_at_zero(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 fn lengths(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for lanes in &of.road.lanes {
         for pair in lanes.lane_section.windows(2) {
-            let (s, next) = (number(&pair[0].s), number(&pair[1].s));
+            // What is missing is told of as such.
+            let (Some(s), Some(next)) = (pair[0].s, pair[1].s) else { continue };
+            let (s, next) = (s.value, next.value);
             // A section of one side may begin where one of the other side does.
             let is_single = pair.iter().any(|section| value(&section.single_side) == Some(true));
             if next - s <= SHORT.value && next >= s && !is_single {

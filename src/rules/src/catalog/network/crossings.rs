@@ -3,7 +3,7 @@
 use crate::catalog::junctions::kind;
 use crate::example::Example::Document;
 use crate::network::Network;
-use crate::place::{number, text};
+use crate::place::text;
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::{PartOf, Sink};
@@ -48,13 +48,15 @@ fn cover(network: &Network, sink: &mut Sink<'_>) {
         let sections = sections.get(..SECTIONS.min(sections.len())).unwrap_or_default();
         for section in sections {
             let Some(road) = network.road(text(&section.road_id)) else { continue };
+            // What is missing is told of as such.
+            let (Some(from), Some(to)) = (section.s_start, section.s_end) else { continue };
+            let (from, to) = (from.value, to.value);
             let others = sections.iter().filter(|other| other.road_id != section.road_id);
             for other in others {
                 let Some(other) = network.road(text(&other.road_id)) else { continue };
                 let Some(Range { start, end }) = network.overlap_along(road, other) else {
                     continue;
                 };
-                let (from, to) = (number(&section.s_start), number(&section.s_end));
                 if start < from - BEYOND.value || end > to + BEYOND.value {
                     let part = PartOf::junction(text(&junction.id), "roadSection");
                     let road = network.name(road.id);

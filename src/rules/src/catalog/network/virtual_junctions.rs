@@ -4,7 +4,7 @@ use super::joints::{CORNER, Edge, KINK};
 use crate::catalog::junctions::kind;
 use crate::example::Example::Document;
 use crate::network::{Contact, LinkTarget, Network, RoadEnd, RoadFacts};
-use crate::place::{number, text, value};
+use crate::place::{text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::{PartOf, Sink};
@@ -94,7 +94,10 @@ impl Leaving<'_> {
 
 fn at_ends(network: &Network, sink: &mut Sink<'_>) {
     for leaving in leaving(network) {
-        let ends = [number(&leaving.junction.s_start), number(&leaving.junction.s_end)];
+        let junction = leaving.junction;
+        // What is missing is told of as such.
+        let (Some(start), Some(end)) = (junction.s_start, junction.s_end) else { continue };
+        let ends = [start.value, end.value];
         if ends.iter().all(|end| (leaving.s - end).abs() > PLACE.value) {
             let main = network.name(leaving.main.id);
             let expected = format_args!("s of {} or {} on road {main}", ends[0], ends[1]);

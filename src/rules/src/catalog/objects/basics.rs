@@ -92,7 +92,7 @@ fn size(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
 
 fn structures(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     let Some(objects) = of.road.objects.as_deref() else { return };
-    let end = number(&of.road.length);
+    let Some(end) = of.road.length.map(|length| length.value) else { return };
     let bridges = objects.bridge.iter().map(|b| (b.span, &b.s, &b.length));
     let tunnels = objects.tunnel.iter().map(|t| (t.span, &t.s, &t.length));
     for (span, s, length) in bridges.chain(tunnels) {

@@ -137,7 +137,9 @@ fn on_road(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     let Some(length) = of.road.and_then(|road| road.length) else { return };
     let length = length.value;
     for repeat in &of.object.repeat {
-        let (start, end) = (number(&repeat.s), number(&repeat.s) + number(&repeat.length));
+        // What is missing is told of as such; the object then stands alone.
+        let (Some(s), Some(own)) = (repeat.s, repeat.length) else { continue };
+        let (start, end) = (s.value, s.value + own.value);
         if start < -BEHIND.value || end > length + BEHIND.value {
             let expected = format_args!("a repetition within the road's {length} m");
             sink.add_within(

@@ -2,7 +2,7 @@
 
 use crate::example::Example::PlanView;
 use crate::line::Piece;
-use crate::place::{RoadIn, number};
+use crate::place::RoadIn;
 use crate::rule::Check::Road;
 use crate::rule::{Rule, Tolerance};
 use crate::sink::Sink;
@@ -168,21 +168,24 @@ fn geometries<'a>(of: &RoadIn<'a>) -> &'a [Geometry] {
 fn s_monotonic(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     let mut due = 0.0;
     for (rank, geometry) in geometries(of).iter().enumerate() {
-        let s = number(&geometry.s);
+        // What is missing is told of as such; where the next one should begin is then not known.
+        let (Some(s), Some(length)) = (geometry.s, geometry.length) else { return };
+        let (s, length) = (s.value, length.value);
         let difference = (s - due).abs();
         if difference > S_ROUNDING.value {
             let severity = grade(difference, S_BROKEN);
             let what = if rank == 0 { "s =" } else { "s where the geometry before ends, at" };
             sink.add_milder(severity, PART, geometry.span, format_args!("{what} {due}"), s);
         }
-        due = s + number(&geometry.length);
+        due = s + length;
     }
 }
 
 fn s_is_sum(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     let mut sum = 0.0;
     for geometry in geometries(of) {
-        let s = number(&geometry.s);
+        let (Some(s), Some(length)) = (geometry.s, geometry.length) else { return };
+        let (s, length) = (s.value, length.value);
         if (s - sum).abs() > LENGTH.value {
             sink.add_within(
                 PART,
@@ -192,7 +195,7 @@ fn s_is_sum(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
             );
             return;
         }
-        sum += number(&geometry.length);
+        sum += length;
     }
 }
 
@@ -263,7 +266,8 @@ fn curvature_steps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 
 fn straight_arcs(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for geometry in geometries(of) {
-        if geometry.arc.as_ref().is_some_and(|arc| number(&arc.curvature) == 0.0) {
+        let curvature = geometry.arc.as_ref().and_then(|arc| arc.curvature);
+        if curvature.is_some_and(|curvature| curvature.value == 0.0) {
             sink.add_within(PART, geometry.span, "an arc with a curvature", "0");
         }
     }
@@ -272,7 +276,9 @@ fn straight_arcs(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
 fn even_spirals(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     for geometry in geometries(of) {
         let Some(spiral) = &geometry.spiral else { continue };
-        let (start, end) = (number(&spiral.curv_start), number(&spiral.curv_end));
+        // What is missing is told of as such.
+        let (Some(start), Some(end)) = (spiral.curv_start, spiral.curv_end) else { continue };
+        let (start, end) = (start.value, end.value);
         if start == end {
             let found = format_args!("{start} at both ends");
             sink.add_within(PART, geometry.span, "a spiral whose curvature changes", found);

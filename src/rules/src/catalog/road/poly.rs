@@ -91,9 +91,8 @@ fn valid_parameters(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
                 sink.add_within(PART, geometry.span, format_args!("{name} = 0"), value);
             }
         }
-        let b_u = number(&cubic.b_u);
-        if b_u <= 0.0 {
-            sink.add_within(PART, geometry.span, "bU above 0", b_u);
+        if let Some(b_u) = cubic.b_u.filter(|b_u| b_u.value <= 0.0) {
+            sink.add_within(PART, geometry.span, "bU above 0", b_u.value);
         }
     }
 }

@@ -239,13 +239,15 @@ pub(super) static RULES: &[Rule] = &[
     ),
 ];
 
-/// Where a record begins, and its tag.
-type At = (f64, Span);
+/// Where a record begins, if it says so, and its tag.
+type At = (Option<f64>, Span);
 
 /// Shows each record that begins before the one in front of it: how far, where that one begins, and itself.
-fn falls(records: impl Iterator<Item = At>, mut show: impl FnMut(f64, f64, At)) {
+fn falls(records: impl Iterator<Item = At>, mut show: impl FnMut(f64, f64, (f64, Span))) {
     let mut before = f64::NEG_INFINITY;
     for (s, span) in records {
+        // What is missing is told of as such.
+        let Some(s) = s else { continue };
         if s < before {
             show(before - s, before, (s, span));
         }
@@ -276,7 +278,7 @@ fn sorted(part: impl Fn() -> String, records: impl Iterator<Item = At>, sink: &m
 }
 
 fn at(s: &Option<Attribute<f64>>, span: Span) -> At {
-    (number(s), span)
+    (s.map(|s| s.value), span)
 }
 
 fn geometries(road: &Road, sink: &mut Sink<'_>) {
