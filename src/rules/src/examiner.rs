@@ -22,6 +22,8 @@ use std::sync::Arc;
 pub(crate) struct Applied {
     pub(crate) rule: &'static Rule,
     pub(crate) severity: Severity,
+    /// That of findings about what is mended.
+    pub(crate) mended: Severity,
 }
 
 /// A rule that is applied, its rank among those, and the function that looks.
@@ -40,8 +42,9 @@ impl<F> Listed<F> {
         count: &'a mut u32,
         out: &'a mut Vec<(usize, RuleOutcome)>,
     ) -> Sink<'a> {
-        let Self { rank, applied: Applied { rule, severity }, .. } = *self;
-        Sink { rule, rank, severity, version: rules.version, path, out, count, limit: rules.limit }
+        let Self { rank, applied: Applied { rule, severity, mended }, .. } = *self;
+        let (version, limit) = (rules.version, rules.limit);
+        Sink { rule, rank, severity, mended, version, path, out, count, limit }
     }
 }
 
@@ -118,7 +121,11 @@ impl Rules {
     pub(crate) fn new(settings: &Settings, version: Minor) -> Self {
         let applied = catalog::all()
             .filter(|rule| rule.check.looks() && settings.applies(rule, version))
-            .filter_map(|rule| Some(Applied { rule, severity: settings.severity(rule)? }))
+            .filter_map(|rule| {
+                let (severity, mended) =
+                    (settings.severity(rule)?, settings.severity_of_mended(rule)?);
+                Some(Applied { rule, severity, mended })
+            })
             .collect::<Vec<_>>();
         let lists = Lists::new(&applied);
         Self { version, applied, lists, limit: settings.findings_of_a_rule }

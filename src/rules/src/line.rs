@@ -1,9 +1,11 @@
 //! From `<geometry>` and `<curveLocal>` to curves: the one place where that is done. The rules look at these curves, and the map is built of them.
 
+use crate::catalog::{GAP, KINK, S_ROUNDING};
 use crate::place::value;
 use crate::shapes::compiled;
 use mapd_geometry::{
     CompileError, Compiled, Curve, CurvePoint, ParameterRange, Primitive, Start, Tangent,
+    normalize_angle,
 };
 use mapd_xodr::{Attribute, CurveLocal, Geometry, ParamPoly3Range, PlanView, Span};
 
@@ -225,6 +227,24 @@ impl ReferenceLine {
             line.faults.extend(found.drain(..).map(|fault| (index, fault)));
         }
         line
+    }
+
+    /// Whether the geometries are one line from s = 0 on: each is a curve that begins behind the one before it, where that ends, as closely as in a map
+    /// without warnings.
+    pub(crate) fn is_whole(&self) -> bool {
+        let meets = |pair: &[Piece]| {
+            let [last, next] = pair else { return false };
+            let (Some(end), Some(start)) = (last.at(last.length), next.at(0.0)) else {
+                return false;
+            };
+            next.s > last.s
+                && (last.s + last.length - next.s).abs() <= S_ROUNDING.value
+                && mapd_geometry::hypot(start.x - end.x, start.y - end.y) <= GAP.value
+                && normalize_angle(start.heading - end.heading).abs() <= KINK.value
+        };
+        self.faults.is_empty()
+            && self.pieces.first().is_some_and(|first| first.s.abs() <= S_ROUNDING.value)
+            && self.pieces.windows(2).all(meets)
     }
 
     /// The curve of the geometry of a rank; none where it is none.

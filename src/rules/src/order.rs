@@ -2,12 +2,25 @@
 //!
 //! A record holds from its s on until the next one begins, so that the order in the file says nothing that s does not say:
 //! records are sorted, once the rules on their order have looked. What the other rules look at is then what is built.
-//! Geometries and lane sections are not: a geometry follows the one before it, and keys of lanes count the sections.
+//! Geometries are if they are one line then; else it is unclear which one each of them continues. Lane sections are not, as keys of lanes count them.
 
+use crate::line::ReferenceLine;
 use crate::place::number;
-use mapd_xodr::{Attribute, Coefficients, CubicRecord, Road, RoadMark};
+use mapd_xodr::{Attribute, Coefficients, CubicRecord, Geometry, PlanView, Road, RoadMark};
 
-/// A pass over all records of a road but geometries and lane sections.
+/// The geometries of a road or junction in the order of s, if they are not and are one line then: each begins where the one before it ends, along s, in
+/// place and in heading.
+pub(crate) fn sorted_line(plan_view: &PlanView) -> Option<Vec<Geometry>> {
+    let start = |geometry: &Geometry| number(&geometry.s);
+    if plan_view.geometry.is_sorted_by(|a, b| start(a) <= start(b)) {
+        return None;
+    }
+    let mut sorted = plan_view.clone();
+    sorted.geometry.sort_by(|a, b| start(a).total_cmp(&start(b)));
+    ReferenceLine::new(Some(&sorted)).is_whole().then_some(sorted.geometry)
+}
+
+/// A pass over all records of a road but lane sections.
 struct Pass {
     /// Whether records are sorted that are not; else nothing is changed.
     is_sorting: bool,
@@ -59,6 +72,14 @@ macro_rules! lane {
 
 impl Pass {
     fn over(mut self, road: &mut Road) -> Self {
+        if let Some(plan_view) = &mut road.plan_view
+            && let Some(sorted) = sorted_line(plan_view)
+        {
+            self.were_sorted = false;
+            if self.is_sorting {
+                plan_view.geometry = sorted;
+            }
+        }
         self.sort(&mut road.r#type, |record| number(&record.s));
         if let Some(profile) = &mut road.elevation_profile {
             self.cubics(&mut profile.elevation);
@@ -113,12 +134,12 @@ impl Pass {
     }
 }
 
-/// Whether all records of a road but for geometries and lane sections are in order. (It is not changed.)
+/// Whether all records of a road are in order, but for lane sections, and geometries that are no line in any order. (It is not changed.)
 pub(crate) fn are_records_sorted(road: &mut Road) -> bool {
     Pass { is_sorting: false, were_sorted: true }.over(road).were_sorted
 }
 
-/// Sorts all records of a road but for geometries and lane sections.
+/// Sorts all records of a road but for these.
 pub(crate) fn sort_records(road: &mut Road) {
     Pass { is_sorting: true, were_sorted: true }.over(road);
 }

@@ -85,6 +85,13 @@ impl Settings {
         }
     }
 
+    /// The severity of a finding about something that is mended: in the default profile a warning at most, unless the configuration grades the rule.
+    pub(crate) fn severity_of_mended(&self, rule: &Rule) -> Option<Severity> {
+        let severity = self.severity(rule)?;
+        let is_plain = self.profile == Profile::Default && !self.grades.contains_key(rule.id);
+        Some(if is_plain { severity.min(Severity::Warning) } else { severity })
+    }
+
     /// Whether a rule applies to documents of a version.
     pub fn applies(&self, rule: &Rule, minor: u8) -> bool {
         let since = match self.profile {

@@ -70,6 +70,7 @@ pub struct Sink<'a> {
     pub(crate) rule: &'static Rule,
     pub(crate) rank: usize,
     pub(crate) severity: Severity,
+    pub(crate) mended: Severity,
     pub(crate) version: Minor,
     pub(crate) path: &'a [PathSegment<'a>],
     pub(crate) out: &'a mut Vec<(usize, RuleOutcome)>,
@@ -111,6 +112,11 @@ impl Sink<'_> {
         found: impl fmt::Display,
     ) {
         self.at_most(severity, |sink| sink.add_within(part, span, expected, found));
+    }
+
+    /// What is added within is about what is mended: in the default profile, that is a warning.
+    pub(crate) fn as_mended(&mut self, add: impl FnOnce(&mut Self)) {
+        self.at_most(self.mended, add);
     }
 
     /// What is added within is no worse than this.

@@ -4,7 +4,7 @@
 use mapd_archive::{AlignedBytes, Provenance, encode, verify};
 use mapd_compiler::Verdict::{self, Accepted, Quarantined};
 use mapd_compiler::{Compilation, CompileOptions, OnError, Policy, ReadOptions, compile_from};
-use mapd_rules::{Grade, Settings};
+use mapd_rules::{Grade, Profile, Settings};
 use mapd_tests::graph_maps::{self as graph, Line};
 use mapd_tests::object_maps::{ObjectRoad, PLAIN, document};
 use mapd_xodr::Severity;
@@ -196,35 +196,76 @@ fn records_out_of_order_are_sorted_and_said() {
     }
 }
 
+/// Geometries in any order are one line if each begins where the one before it in s ends; else nobody knows which one it continues.
 #[test]
-fn geometries_and_sections_out_of_order_stay_errors() {
-    let geometry = |s: f64| {
-        format!(r#"<geometry s="{s}" x="{s}" y="0" hdg="0" length="50"><line/></geometry>"#)
-    };
+fn geometries_out_of_order_are_sorted_if_they_are_one_line() {
+    const RULE: &str = "asam.net:xodr:1.4.0:road.geometry.elem_asc_order";
     let section = |s: f64| {
         format!(
             r#"<laneSection s="{s}"><center><lane id="0"/></center><right><lane id="-1" type="driving"><width sOffset="0" a="3" b="0" c="0" d="0"/></lane></right></laneSection>"#
         )
     };
-    let map = |geometries: [f64; 2], sections: [f64; 2]| {
-        let (geometries, sections) =
-            (geometries.map(geometry).concat(), sections.map(section).concat());
+    let map = |geometries: &[&str], sections: [f64; 2], rule: &str| {
         let road = |id: u32, geometries: &str, sections: &str| {
             format!(
-                r#"<road id="{id}" length="100" junction="-1"><planView>{geometries}</planView><lanes>{sections}</lanes></road>"#
+                r#"<road id="{id}" length="100" junction="-1"{rule}><planView>{geometries}</planView><lanes>{sections}</lanes></road>"#
             )
         };
-        let other = [0.0, 50.0].map(geometry).concat().replace("y=\"0\"", "y=\"99\"");
+        let other = r#"<geometry s="0" x="0" y="99" hdg="0" length="100"><line/></geometry>"#;
         format!(
             r#"<OpenDRIVE><header revMajor="1" revMinor="8"/>{}{}</OpenDRIVE>"#,
-            road(1, &geometries, &sections),
-            road(2, &other, &section(0.0))
+            road(1, &geometries.concat(), &sections.map(section).concat()),
+            road(2, other, &section(0.0))
         )
     };
+    const A: &str = r#"<geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry>"#;
+    const B: &str =
+        r#"<geometry s="40" x="40" y="0" hdg="0" length="20"><arc curvature="0.02"/></geometry>"#;
+    // Where the arc ends: its turn is 0.4 rad.
+    const C: &str =
+        r#"<geometry s="60" x="59.4709171" y="3.9469503" hdg="0.4" length="40"><line/></geometry>"#;
     let order = [0.0, 50.0];
-    check("in order", &compile(&map(order, order)), Accepted, &[]);
-    check("geometries", &compile(&map([50.0, 0.0], order)), Quarantined, &["road 1"]);
-    check("sections", &compile(&map(order, [50.0, 0.0])), Quarantined, &["road 1"]);
+    let sound = compile(&map(&[A, B, C], order, ""));
+    check("in order", &sound, Accepted, &[]);
+    assert_eq!(told(&sound, RULE), [""; 0]);
+    for traffic in ["", " rule=\"LHT\""] {
+        let sound = compile(&map(&[A, B, C], order, traffic));
+        for geometries in [[C, A, B], [B, A, C], [C, B, A]] {
+            let compiled = compile(&map(&geometries, order, traffic));
+            check("one line", &compiled, Accepted, &[]);
+            let of_line = compiled.counts.iter().filter(|(severity, rule, _)| {
+                *severity > Severity::Info && rule.contains("geometry")
+            });
+            assert!(of_line.into_iter().all(|(_, rule, _)| rule == RULE), "{geometries:?}");
+            assert!(told(&compiled, RULE).iter().all(|severity| severity == "Warning"));
+            assert!(!told(&compiled, RULE).is_empty());
+            assert!(archive(&compiled)[..] == archive(&sound)[..], "another map");
+        }
+    }
+    for (what, from, to) in [
+        ("a gap", "y=\"3.9469503\"", "y=\"3.96\""),
+        ("a kink", "hdg=\"0.4\"", "hdg=\"0.402\""),
+        ("a gap along s", "s=\"60\"", "s=\"60.01\""),
+        ("twice the same s", "s=\"60\"", "s=\"40\""),
+        ("no curve", "<line/>", "<arc curvature=\"1e300\"/>"),
+    ] {
+        assert!(C.contains(from), "{what}");
+        let compiled = compile(&map(&[&C.replace(from, to), A, B], order, ""));
+        check(what, &compiled, Quarantined, &["road 1"]);
+        assert!(told(&compiled, RULE).contains(&"Error".to_owned()), "{what}");
+    }
+    for profile in [Profile::Strict, Profile::Asam] {
+        let reading = ReadOptions {
+            rules: Settings { profile, ..Settings::default() },
+            ..ReadOptions::default()
+        };
+        let (text, options) = (map(&[B, A, C], order, ""), CompileOptions::default());
+        let open = || Ok(text.as_bytes());
+        let compiled = compile_from(open, &reading, &options, &mut |_| {}).expect("reading works");
+        assert_eq!(told(&compiled, RULE), ["Error"], "{profile:?}");
+        assert!(compiled.quarantined.iter().any(|part| part.name() == "road 1"), "{profile:?}");
+    }
+    check("sections", &compile(&map(&[A, B, C], [50.0, 0.0], "")), Quarantined, &["road 1"]);
 }
 
 #[test]

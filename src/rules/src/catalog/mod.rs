@@ -11,6 +11,7 @@ mod road;
 mod signals;
 
 use crate::rule::Rule;
+pub(crate) use road::plan_view::{GAP, KINK, S_ROUNDING};
 pub use road::poly::COMPUTABLE;
 
 /// Every rule, in the order in which they are applied.

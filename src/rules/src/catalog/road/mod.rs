@@ -4,7 +4,7 @@ mod crg;
 mod jumps;
 mod lateral;
 mod links;
-mod plan_view;
+pub(crate) mod plan_view;
 pub(crate) mod poly;
 mod railroad;
 mod records;

@@ -10,7 +10,7 @@ use mapd_geometry::normalize_angle;
 use mapd_xodr::{Geometry, Severity};
 
 /// Differences of places along s that come from rounding in the file.
-const S_ROUNDING: Tolerance =
+pub(crate) const S_ROUNDING: Tolerance =
     Tolerance { name: "difference of s that counts as rounding", value: 1e-3, unit: "m" };
 /// Differences of places along s beyond which the reference line is not what its author meant.
 const S_BROKEN: Tolerance =
@@ -18,11 +18,11 @@ const S_BROKEN: Tolerance =
 /// Differences of lengths that come from rounding in the file: many geometries of 4 decimals each.
 const LENGTH: Tolerance = Tolerance { name: "difference of lengths", value: 0.01, unit: "m" };
 /// Gaps that come from rounding in the file.
-const GAP: Tolerance = Tolerance { name: "gap", value: 0.01, unit: "m" };
+pub(crate) const GAP: Tolerance = Tolerance { name: "gap", value: 0.01, unit: "m" };
 /// Gaps beyond which the reference line is broken: more than a lane marking is wide.
 const GAP_BROKEN: Tolerance = Tolerance { name: "gap that is an error", value: 1.0, unit: "m" };
 /// Kinks that come from rounding in the file.
-const KINK: Tolerance = Tolerance { name: "kink", value: 1e-3, unit: "rad" };
+pub(crate) const KINK: Tolerance = Tolerance { name: "kink", value: 1e-3, unit: "rad" };
 /// Kinks beyond which borders cross one another: an eighth of a full turn. Road data of polygons have smaller ones at every
 /// corner and can be driven.
 const KINK_BROKEN: Tolerance =

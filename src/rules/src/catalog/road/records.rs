@@ -1,6 +1,7 @@
 //! Records along s ascend.
 
 use crate::example::Example;
+use crate::order::sorted_line;
 use crate::place::number;
 use crate::rule::Check::{self, Order, Records};
 use crate::rule::{Rule, Tolerance};
@@ -86,7 +87,7 @@ pub(super) static RULES: &[Rule] = &[
         "asam.net:xodr:1.4.0:road.geometry.elem_asc_order",
         [
             "Geometries are in the order of s.",
-            "a geometry continues the one before it, and it is unclear which one that is",
+            "unless they are one line when sorted (warning), it is unclear which one each continues",
         ],
         Order(geometries),
         [
@@ -95,7 +96,7 @@ pub(super) static RULES: &[Rule] = &[
 <geometry s="50" x="50" y="0" hdg="0" length="50"><arc curvature="0.01"/></geometry>"#,
             ),
             Example::PlanView(
-                r#"<geometry s="50" x="50" y="0" hdg="0" length="50"><arc curvature="0.01"/></geometry>
+                r#"<geometry s="50" x="60" y="0" hdg="0" length="50"><arc curvature="0.01"/></geometry>
 <geometry s="0" x="0" y="0" hdg="0" length="50"><line/></geometry>"#,
             ),
         ],
@@ -282,8 +283,13 @@ fn at(s: &Option<Attribute<f64>>, span: Span) -> At {
 }
 
 fn geometries(road: &Road, sink: &mut Sink<'_>) {
-    let all = road.plan_view.iter().flat_map(|plan_view| &plan_view.geometry);
-    ascend("planView/geometry", all.map(|g| at(&g.s, g.span)), sink);
+    let Some(plan_view) = &road.plan_view else { return };
+    let all = || plan_view.geometry.iter().map(|g| at(&g.s, g.span));
+    let path = "planView/geometry";
+    match sorted_line(plan_view) {
+        Some(_) => sink.as_mended(|sink| sorted(|| path.to_owned(), all(), sink)),
+        None => ascend(path, all(), sink),
+    }
 }
 
 fn sections(road: &Road, sink: &mut Sink<'_>) {
