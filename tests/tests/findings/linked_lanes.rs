@@ -235,3 +235,145 @@ fn lanes_go_on_beside_sections_of_one_side() {
     let orphan = sections.concat().replacen("<successor id=\"1\"/>", "<successor id=\"2\"/>", 1);
     check("a lane that is not there", &road(1, 0.0, 0.0, -1, "", &orphan), &[(ORPHAN, 3)]);
 }
+
+/// Findings of a rule in a document: paths and messages.
+fn told(text: &str, rule: &str) -> Vec<(String, String)> {
+    let checked =
+        check_from(|| Ok(text.as_bytes()), &ReadOptions::default(), &mut |_| {}).expect("reads");
+    let own = checked.diagnostics.iter().filter(|d| d.finding.rule.ends_with(rule));
+    own.map(|d| (d.finding.path.clone(), d.finding.message.clone())).collect()
+}
+
+/// Roads 2 and 3, which are linked, with lanes of these links and the same directions of traffic. Road 3 may run the other way.
+fn two(turned: bool, traffic: &str, links: [&str; 2], others: [&str; 2]) -> String {
+    use mapd_tests::graph_maps::{Line, document, lane, link, road, section};
+    let attributes = format!("junction=\"-1\"{traffic}");
+    let road = |id: &str, line, ends: &str, [left, right]: [&str; 2]| {
+        let lanes = section(0.0, &lane(1, left), &lane(-1, right));
+        road(id, &attributes, line, &link(ends), &lanes)
+    };
+    let (line, ends) = match turned {
+        false => (Line(50.0, 0.0, 0.0, 50.0, 0.0), "p road 2 end"),
+        true => (Line(100.0, 0.0, std::f64::consts::PI, 50.0, 0.0), "s road 2 end"),
+    };
+    let contact = if turned { "s road 3 end" } else { "s road 3 start" };
+    document(
+        &(road("2", Line(0.0, 0.0, 0.0, 50.0, 0.0), contact, links)
+            + &road("3", line, ends, others)),
+    )
+}
+
+/// A link that neither side has was not seen: traffic ended there in silence.
+#[test]
+fn lanes_that_meet_are_linked() {
+    const RULE: &str = "topology.missing_link";
+    for traffic in ["", " rule=\"LHT\""] {
+        let lost = |turned, links, others| -> Vec<String> {
+            let found = told(&two(turned, traffic, links, others), RULE).into_iter();
+            let road = |path: String| path.split('/').nth(1).map(str::to_owned).expect("a road");
+            let lane = |path: &str| path.rsplit('/').next().map(str::to_owned).expect("a lane");
+            let mut found: Vec<_> =
+                found.map(|(path, _)| format!("{} {}", road(path.clone()), lane(&path))).collect();
+            found.sort_unstable();
+            found
+        };
+        let none: [String; 0] = [];
+        assert_eq!(lost(false, ["s1", "s-1"], ["p1", "p-1"]), none, "{traffic}");
+        assert_eq!(
+            lost(false, ["s1", ""], ["p1", ""]),
+            ["road[@id=2] lane[@id=-1]", "road[@id=3] lane[@id=-1]"]
+        );
+        assert_eq!(
+            lost(false, ["", "s-1"], ["", "p-1"]),
+            ["road[@id=2] lane[@id=1]", "road[@id=3] lane[@id=1]"]
+        );
+        // One side says it.
+        assert_eq!(lost(false, ["s1", "s-1"], ["p1", ""]), none);
+        assert_eq!(lost(true, ["s-1", "s1"], ["s-1", "s1"]), none);
+        assert_eq!(
+            lost(true, ["s-1", ""], ["", "s1"]),
+            ["road[@id=2] lane[@id=-1]", "road[@id=3] lane[@id=1]"]
+        );
+    }
+    let text = two(false, "", ["s1", ""], ["p1", ""]);
+    let messages: Vec<_> = told(&text, RULE).into_iter().map(|(_, message)| message).collect();
+    assert_eq!(
+        messages,
+        [
+            "expected a link to lane -1 of road 3, which the lane meets at its end, found none on either side",
+            "expected a link to lane -1 of road 2, which the lane meets at its start, found none on either side"
+        ]
+    );
+    // Corners apart, another direction of traffic, nobody drives there.
+    for (what, from, to) in [
+        ("corners", "x=\"50\" y=\"0\"", "x=\"50\" y=\"0.02\""),
+        (
+            "a direction",
+            "<lane id=\"-1\" type=\"driving\"",
+            "<lane id=\"-1\" direction=\"reversed\" type=\"driving\"",
+        ),
+        ("a type", "<lane id=\"-1\" type=\"driving\"", "<lane id=\"-1\" type=\"shoulder\""),
+        ("a width", "a=\"3.5\" b=\"0\"", "a=\"3\" b=\"0\""),
+    ] {
+        let at = text.rfind(from).unwrap_or_else(|| panic!("{what}: {text}"));
+        let other = format!("{}{}", &text[..at], text[at..].replacen(from, to, 1));
+        assert_eq!(told(&other, RULE), [], "{what}");
+    }
+    // Within a road, and where the connection of a junction has the link.
+    let sections = right(0.0, &lane(-1, 3.0, 0.0, "")) + &right(5.0, &lane(-1, 3.0, 0.0, ""));
+    let text = mapd_tests::graph_maps::document(&road(1, 0.0, 0.0, -1, "", &sections));
+    assert_eq!(told(&text, RULE).len(), 2);
+}
+
+/// The finding named the road of the lane alone, which need not be the one that lacks the link.
+#[test]
+fn a_dead_lane_names_the_road_that_it_meets() {
+    const RULE: &str = "topology.dead_lane";
+    let text = two(false, "", ["s1", ""], ["p1", ""]);
+    let found = told(&text, RULE);
+    let message = |id: u32, end: &str| {
+        format!(
+            "expected a link of the lane with lane -1 of road {id}, which it meets at its {end}, found none at either end"
+        )
+    };
+    let messages: Vec<_> = found.into_iter().map(|(_, message)| message).collect();
+    assert_eq!(messages, [message(3, "end"), message(2, "start")]);
+    // A road behind a junction, whose road 7 does not lead into it.
+    use mapd_tests::graph_maps::{Line, document, lane, link, road, section};
+    let into = road(
+        "1",
+        "junction=\"-1\"",
+        Line(0.0, 0.0, 0.0, 20.0, 0.0),
+        &link("s junction 9"),
+        &section(0.0, "", &lane(-1, "")),
+    );
+    let within = road(
+        "7",
+        "junction=\"9\"",
+        Line(20.0, 0.0, 0.0, 20.0, 0.0),
+        &(link("p road 1 end") + &link("s road 2 start")),
+        &section(0.0, "", &lane(-1, "p-1")),
+    );
+    let behind = road(
+        "2",
+        "junction=\"-1\"",
+        Line(40.0, 0.0, 0.0, 20.0, 0.0),
+        &link("p junction 9"),
+        &section(0.0, "", &lane(-1, "")),
+    );
+    let attributes = r#"id="0" incomingRoad="1" connectingRoad="7" contactPoint="start""#;
+    let junction = mapd_tests::graph_maps::junction(
+        "9",
+        "",
+        &mapd_tests::graph_maps::connection(attributes, "-1>-1"),
+    );
+    let text = document(&(into + &within + &behind + &junction));
+    let found = told(&text, RULE);
+    let [(path, message)] = &found[..] else { panic!("{found:?}") };
+    assert!(path.contains("road[@id=2]") && message.contains("lane -1 of road 7"), "{found:?}");
+    // The entry is linked by the connection alone; the exit by nothing.
+    let text = text.replace("<predecessor id=\"-1\"/>", "");
+    let missing = told(&text, "topology.missing_link");
+    assert_eq!(missing.len(), 1, "{missing:?}");
+    assert!(missing[0].0.contains("road[@id=7]"), "{missing:?}");
+}

@@ -13,6 +13,7 @@ mod joints;
 mod lane_links;
 mod levels;
 mod linkage;
+mod meeting;
 mod overlaps;
 mod topology;
 mod virtual_junctions;
@@ -36,4 +37,5 @@ pub(super) static RULES: &[&[Rule]] = &[
     boundaries::RULES,
     overlaps::RULES,
     topology::RULES,
+    meeting::RULES,
 ];

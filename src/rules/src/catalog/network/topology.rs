@@ -1,8 +1,9 @@
 //! The lane network: what hangs together, and what leads nowhere.
 
+use super::meeting::{met_by_dead, named};
 use crate::catalog::lanes::is_drivable;
 use crate::example::Example::Document;
-use crate::network::{Contact, JunctionConnection, Name, Network, RoadEnd, RoadFacts};
+use crate::network::{Contact, JunctionConnection, LaneEnd, Name, Network, RoadEnd, RoadFacts};
 use crate::place::{text, value};
 use crate::rule::Check::Network as All;
 use crate::rule::Rule;
@@ -19,6 +20,8 @@ macro_rules! pair {
         ))
     };
 }
+
+pub(super) use pair;
 
 pub(super) static RULES: &[Rule] = &[
     Rule::info(
@@ -188,7 +191,7 @@ fn disconnected(network: &Network, sink: &mut Sink<'_>) {
 }
 
 /// Whether traffic drives on lanes of a type, and not only where it must, as at a lane's border.
-fn is_driven(kind: LaneType) -> bool {
+pub(super) fn is_driven(kind: LaneType) -> bool {
     use LaneType as T;
     is_drivable(kind) && !matches!(kind, T::Border | T::Stop | T::Restricted | T::RoadWorks)
 }
@@ -208,7 +211,7 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
         let sections = network.sections_of(road);
         let inside =
             if stands_alone { 1..sections.len().saturating_sub(1) } else { 0..sections.len() };
-        for section in sections.get(inside).unwrap_or_default() {
+        for (number, section) in inside.clone().zip(sections.get(inside).unwrap_or_default()) {
             for (rank, lane) in section.lane_ranks().zip(network.lanes_of(section)) {
                 let has_width = Contact::BOTH.into_iter().any(|end| lane.width(end) > 0.0);
                 if is_driven(lane.kind)
@@ -216,12 +219,21 @@ fn dead(network: &Network, sink: &mut Sink<'_>) {
                     && !is_linked.get(rank).copied().unwrap_or(true)
                 {
                     let part = format!("lanes/laneSection[@s={}]/lane[@id={}]", section.s, lane.id);
-                    sink.add_in(
-                        PartOf::road(network.name(road.id), &part),
-                        lane.span,
-                        "a link of the lane",
-                        "none at either end",
-                    );
+                    let part = PartOf::road(network.name(road.id), &part);
+                    let found = "none at either end";
+                    // The road that has the lane need not be the one that lacks the link.
+                    let met = Contact::BOTH.into_iter().find_map(|end| {
+                        let own = LaneEnd { road, section, lane, end };
+                        Some((end, met_by_dead(network, &own, number)?))
+                    });
+                    let Some((end, other)) = met else {
+                        sink.add_in(part, lane.span, "a link of the lane", found);
+                        continue;
+                    };
+                    let (other, end) = (named(network, road, &other), end.name());
+                    let expected =
+                        format!("a link of the lane with {other}, which it meets at its {end}");
+                    sink.add_in(part, lane.span, expected, found);
                 }
             }
         }
