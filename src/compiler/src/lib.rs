@@ -35,7 +35,9 @@ mod signals;
 mod without;
 
 pub use mapd_geodesy::{Target, TargetError};
-pub use options::{CompileOptions, CyclePolicy, OffsetSign, OptionsError, ReadOptions};
+pub use options::{
+    CompileOptions, CyclePolicy, MarkReading, OffsetSign, OptionsError, ReadOptions,
+};
 pub use quarantine::{OnError, PartKind, Policy, QuarantinedContent, QuarantinedPart, Treatment};
 pub use report::{Compilation, Counts, Diagnostic, Progress, Verdict, Version};
 pub use without::{Extra, Without};

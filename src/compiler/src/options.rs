@@ -45,6 +45,8 @@ pub struct CompileOptions {
     pub crs: Option<Target>,
     /// What is left out of the archive. Default: nothing.
     pub without: Without,
+    /// How road marks without `laneChange` are read. Default: as the standard has it.
+    pub marks: MarkReading,
 }
 
 /// Sign with which the header's offset is applied.
@@ -79,6 +81,24 @@ pub enum CyclePolicy {
     Report,
 }
 
+/// How road marks without `laneChange` are read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MarkReading {
+    /// As the standard has it: lanes may be changed to both sides.
+    #[default]
+    Standard,
+    /// By their type: nobody crosses a solid line from its own side.
+    Type,
+}
+
+/// What shapes rows while a document is read.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Lowering {
+    pub(crate) without: Without,
+    pub(crate) marks: MarkReading,
+}
+
 /// An option outside its range.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error("{name} must lie between {low} and {high} m, found {found}")]
@@ -100,11 +120,17 @@ impl Default for CompileOptions {
             offset_sign: OffsetSign::default(),
             crs: None,
             without: Without::default(),
+            marks: MarkReading::default(),
         }
     }
 }
 
 impl CompileOptions {
+    /// What of these shapes rows while the document is read.
+    pub(crate) fn lowering(&self) -> Lowering {
+        Lowering { without: self.without, marks: self.marks }
+    }
+
     /// Refuses numbers out of range.
     pub fn validate(&self) -> Result<(), OptionsError> {
         let all = [
@@ -131,6 +157,9 @@ impl CompileOptions {
         if !self.without.is_empty() {
             hasher.update(b"without");
             hasher.update(&self.without.bytes());
+        }
+        if self.marks != MarkReading::default() {
+            hasher.update(b"marks by type");
         }
         if let Some(target) = &self.crs {
             hasher.update(target.text().as_bytes());

@@ -2,6 +2,7 @@
 //!
 //! Names and meanings are those of PROJ (<https://proj.org/usage/projections.html>).
 
+use crate::plain::UTM;
 use crate::reference::{ReferenceError, shown};
 use crate::warning::DefinitionWarning;
 use std::collections::BTreeSet;
@@ -95,6 +96,12 @@ pub(crate) fn canonical(text: &str) -> Result<(String, Vec<DefinitionWarning>), 
     if !ignored.is_empty() {
         warnings.push(DefinitionWarning::Ignored(shown(&ignored.join(" "))));
     }
+    if get("proj") == Some("utm") {
+        let idle = without_effect(&get);
+        if !idle.is_empty() {
+            warnings.push(DefinitionWarning::NoEffect(shown(&idle)));
+        }
+    }
     let ellipsoid = ["ellps", "a", "R"].iter().any(|key| get(key).is_some());
     if !ellipsoid && get("datum").is_none() && get("towgs84").is_none() {
         push("datum", "WGS84");
@@ -110,6 +117,27 @@ pub(crate) fn canonical(text: &str) -> Result<(String, Vec<DefinitionWarning>), 
 }
 
 /// Names and values; a value is empty where there is none.
+/// Parameters of UTM, and their values, that say something else than UTM itself: PROJ does not read them.
+fn without_effect<'a>(get: &impl Fn(&str) -> Option<&'a str>) -> String {
+    let (east, south, scale) = UTM;
+    let north = if get("south").is_some() { south } else { 0.0 };
+    let meridian =
+        get("zone").and_then(|zone| zone.parse::<f64>().ok()).map(|zone| 6.0 * zone - 183.0);
+    let own = [
+        ("lat_0", Some(0.0)),
+        ("lon_0", meridian),
+        ("k", Some(scale)),
+        ("k_0", Some(scale)),
+        ("x_0", Some(east)),
+        ("y_0", Some(north)),
+    ];
+    let others = own.into_iter().filter_map(|(name, own)| {
+        let (written, own) = (get(name)?, own?);
+        (written.parse() != Ok(own)).then(|| format!("+{name}={written}"))
+    });
+    others.collect::<Vec<_>>().join(" ")
+}
+
 fn split(text: &str) -> Vec<(&str, &str)> {
     let words = text.split_whitespace().map(|word| word.trim_start_matches('+'));
     let words = words.filter(|word| !word.is_empty());

@@ -14,7 +14,7 @@ const ELLIPSOIDS: [(&str, f64, f64); 3] = [
     ("bessel", 6_377_397.155, 299.152_812_8),
 ];
 /// False easting and northing of UTM in the south `[m]`, and its scale.
-const UTM: (f64, f64, f64) = (500_000.0, 10_000_000.0, 0.9996);
+pub(crate) const UTM: (f64, f64, f64) = (500_000.0, 10_000_000.0, 0.9996);
 
 /// The projection that some PROJ parameters define, and its ellipsoid. None if they say anything that is not read here, such as angles in
 /// minutes or a parameter twice.

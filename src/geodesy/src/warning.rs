@@ -22,6 +22,8 @@ pub enum DefinitionWarning {
     Axes(String),
     /// Parameters that are not known.
     Ignored(String),
+    /// Parameters that UTM has values of its own for, and these are others.
+    NoEffect(String),
 }
 
 impl DefinitionWarning {
@@ -62,6 +64,10 @@ impl fmt::Display for DefinitionWarning {
             Self::Ignored(parameter) => {
                 write!(f, "parameters of the georeference that are not known are ignored: {parameter}")
             }
+            Self::NoEffect(parameters) => write!(
+                f,
+                "parameters of the georeference have no effect with +proj=utm, which has its own: {parameters}"
+            ),
         }
     }
 }

@@ -30,6 +30,8 @@ mod mutations;
 mod quarantine;
 // Every map of the shared corpus is read to its end, and each of its known quirks is found or tolerated on purpose.
 mod quirks;
+// Steps, bends and numbers that are easily missed.
+mod easily_missed;
 // What signals and objects write in place of a country's code or a unit.
 mod signal_codes;
 // Signals that are wrong or odd: findings, not crashes, and the rest of the map stays.

@@ -1,7 +1,7 @@
 //! Lane graphs of small maps made by hand: edges, what is wrong with links, cycles, lane changes, conflicts.
 
 use mapd_client::{Map, Snapshot};
-use mapd_compiler::{Compilation, CompileOptions, CyclePolicy, Verdict, compile};
+use mapd_compiler::{Compilation, CompileOptions, CyclePolicy, MarkReading, Verdict, compile};
 use mapd_query::SRange;
 use mapd_query::graph::LaneNode;
 use mapd_query::route::{
@@ -442,6 +442,58 @@ fn lane_changes_follow_the_marks() {
         let found: Vec<_> =
             lane_of.nodes().filter(allowed).map(|node| ends(node.s_range())).collect();
         assert_eq!(found, expected, "{lane} {} {own} {rule}", if left { "left" } else { "right" });
+    }
+}
+
+/// Marks that do not say whether lanes may be changed allow it, unless they are to be read by their type: from −1 to −2, from −2 to −1.
+#[test]
+fn marks_are_read_by_their_type_if_so_wanted() {
+    let width = "a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"";
+    for (kind, outwards, inwards) in [
+        ("solid", false, false),
+        ("solid solid", false, false),
+        ("curb", false, false),
+        ("edge", false, false),
+        ("broken", true, true),
+        ("broken broken", true, true),
+        ("botts dots", true, true),
+        ("none", true, true),
+        ("custom", true, true),
+        // Named from lane 0 outwards.
+        ("solid broken", false, true),
+        ("broken solid", true, false),
+    ] {
+        let mark =
+            |more: &str| format!("<roadMark sOffset=\"0\" type=\"{kind}\" color=\"white\"{more}/>");
+        for traffic in ["", " rule=\"LHT\""] {
+            for side in [-1, 1] {
+                for (reading, more, due) in [
+                    (MarkReading::Standard, "", [true, true]),
+                    (MarkReading::Type, "", [outwards, inwards]),
+                    (MarkReading::Type, " laneChange=\"both\"", [true, true]),
+                    (MarkReading::Type, " laneChange=\"none\"", [false, false]),
+                ] {
+                    let lanes = [wide(side, "", "", width, &mark(more)), lane(2 * side, "")];
+                    let (left, right) = match side {
+                        1 => (lanes[1].clone() + &lanes[0], String::new()),
+                        _ => (String::new(), lanes.concat()),
+                    };
+                    let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+                    let attributes = format!("junction=\"-1\"{traffic}");
+                    let text =
+                        document(&road("1", &attributes, line, "", &section(0.0, &left, &right)));
+                    let options = CompileOptions { marks: reading, ..CompileOptions::default() };
+                    let snapshot = mapd_tests::maps::open_text_with(&text, &options);
+                    let found = [side, 2 * side].map(|id| {
+                        let key = format!("1:0:{id}").parse().expect("a key");
+                        let lane = snapshot.map().lane_by_key(&key).expect("a lane");
+                        let node = lane.nodes().next().expect("a node");
+                        node.change_left().or(node.change_right()).is_some()
+                    });
+                    assert_eq!(found, due, "{kind}{more} {reading:?} {side}{traffic}");
+                }
+            }
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::owners::{Before, move_owners};
 use super::{Draft, Interned, joints};
-use crate::without::Without;
+use crate::options::Lowering;
 use mapd_archive::{RowMapping, Rows};
 use mapd_ontology::Ontology;
 use std::mem::take;
@@ -10,9 +10,9 @@ use std::sync::Arc;
 
 impl Draft {
     /// Of a part of the document, to be appended to what comes before it.
-    pub(crate) fn part(ontology: Arc<Ontology>, without: Without) -> Self {
+    pub(crate) fn part(ontology: Arc<Ontology>, lowering: Lowering) -> Self {
         let [cubics, coefficients] = [Interned::of_part(), Interned::of_part()];
-        Self { rows: Rows::part(), cubics, coefficients, ..Self::new(ontology, without) }
+        Self { rows: Rows::part(), cubics, coefficients, ..Self::new(ontology, lowering) }
     }
 
     /// Takes the part of the document that comes next. Strings, cubics, coefficients and styles that are known already stand for its own;

@@ -14,6 +14,7 @@ mod permissions;
 mod placed;
 mod signals;
 
+use crate::options::Lowering;
 use crate::without::Without;
 use mapd_archive::{MapRow, Range, Rows, StringTable};
 use mapd_xodr::{Finding, Span};
@@ -63,9 +64,11 @@ pub(crate) struct Draft {
 }
 
 impl Draft {
-    /// Nothing yet; `ontology` says what signals mean, `without` what is left out.
-    pub(crate) fn new(ontology: Arc<mapd_ontology::Ontology>, without: Without) -> Self {
-        Self { signals: Signals::new(ontology), without, ..Self::default() }
+    /// Nothing yet; `ontology` says what signals mean.
+    pub(crate) fn new(ontology: Arc<mapd_ontology::Ontology>, lowering: Lowering) -> Self {
+        let Lowering { without, marks } = lowering;
+        let permissions = Permissions { reading: marks, ..Permissions::default() };
+        Self { signals: Signals::new(ontology), without, permissions, ..Self::default() }
     }
 
     pub(crate) fn roads(&self) -> usize {

@@ -1,5 +1,6 @@
 //! Who may use a lane, and where lanes may be changed, as the file says it.
 
+use crate::options::MarkReading;
 use mapd_archive::{LaneType, RowMapping, VehicleClass};
 use mapd_xodr::LaneChange;
 
@@ -25,6 +26,8 @@ pub(crate) struct Access {
 /// Road marks and access records of all lanes, by lane row.
 #[derive(Default)]
 pub(crate) struct Permissions {
+    /// How marks are read that do not say whether lanes may be changed.
+    pub(crate) reading: MarkReading,
     pub(crate) marks: Vec<Mark>,
     pub(crate) accesses: Vec<Access>,
 }
@@ -57,7 +60,7 @@ impl Permissions {
     }
 
     /// Whether the marks of a lane's outer border allow changes at a place: to higher and to lower lane numbers. Nothing
-    /// forbids them where no mark lies (OpenDRIVE 1.8.1, 11.9: `laneChange` is `both` where absent).
+    /// forbids them where no mark lies.
     pub(crate) fn changes(&self, lane: u32, s: f64) -> (bool, bool) {
         let marks = self.marks(lane);
         let at = marks.partition_point(|mark| mark.s <= s);

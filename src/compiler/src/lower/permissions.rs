@@ -1,9 +1,11 @@
 //! Who may use a lane, and where lanes may be changed.
 
 use crate::draft::{Access, Mark, Permissions};
+use crate::options::MarkReading;
 use mapd_archive::{LaneType, VehicleClass};
 use mapd_xodr::{
-    AccessRestrictionType as Restriction, AccessRule, LaneAccess, LaneChange, RoadMark, Value as _,
+    AccessRestrictionType as Restriction, AccessRule, LaneAccess, LaneChange, RoadMark,
+    RoadMarkType, Value as _,
 };
 
 impl Permissions {
@@ -13,15 +15,21 @@ impl Permissions {
         &mut self,
         row: u32,
         shift: f64,
-        kind: LaneType,
+        (number, kind): (i32, LaneType),
         marks: &[RoadMark],
         accesses: &[LaneAccess],
     ) {
-        self.marks.extend(marks.iter().map(|mark| Mark {
+        let unsaid = |mark: &RoadMark| match self.reading {
+            // OpenDRIVE 1.8.1, 11.9.
+            MarkReading::Standard => LaneChange::Both,
+            MarkReading::Type => by_type(mark.r#type.value(), number),
+        };
+        let marks = marks.iter().map(|mark| Mark {
             lane: row,
             s: mark.s_offset.value().unwrap_or(0.0) - shift,
-            change: mark.lane_change.value().unwrap_or(LaneChange::Both),
-        }));
+            change: mark.lane_change.value().unwrap_or_else(|| unsaid(mark)),
+        });
+        self.marks.extend(marks);
         let base = VehicleClass::of_lane_type(kind);
         let s_of = |record: &LaneAccess| record.s_offset.value().unwrap_or(0.0) - shift;
         for set in accesses.chunk_by(|a, b| s_of(a) == s_of(b)) {
@@ -29,6 +37,21 @@ impl Permissions {
             self.accesses.push(Access { lane: row, s, classes: classes(base, set) });
         }
     }
+}
+
+/// Which changes a mark's type allows, on the outer border of the lane of a number. The two lines of a mark are named from lane 0 outwards, and those of lane 0
+/// from left to right (OpenDRIVE 1.8.1, 11.9); nobody crosses a solid line from its own side.
+fn by_type(kind: Option<RoadMarkType>, number: i32) -> LaneChange {
+    use RoadMarkType as T;
+    let first_is_solid = match kind {
+        Some(T::Solid | T::SolidSolid | T::Curb | T::Grass | T::Edge) => return LaneChange::None,
+        Some(T::SolidBroken) => true,
+        Some(T::BrokenSolid) => false,
+        _ => return LaneChange::Both,
+    };
+    // The first line is the one beside the higher number, but to the left of lane 0.
+    let higher_is_solid = first_is_solid != (number > 0);
+    if higher_is_solid { LaneChange::Increase } else { LaneChange::Decrease }
 }
 
 /// Classes that a set of records at one place leaves (OpenDRIVE 1.8.1, 11.8.1): where one allows, all others are banned;

@@ -384,7 +384,7 @@ impl Draft {
         if side.continues == 0 {
             self.owners.add(lane.span, AnnotationOwner::Lane, row);
         }
-        self.permissions.lane(row, shift, kind, lane.road_mark, lane.access);
+        self.permissions.lane(row, shift, (lane.id, kind), lane.road_mark, lane.access);
         // Links into another layer are no links between these lanes.
         let other = if side.layer.is_temporary { PERMANENT } else { TEMPORARY };
         let links = lane.link.into_iter().flat_map(|link| [&link.predecessor, &link.successor]);

@@ -8,10 +8,9 @@ mod stream;
 
 use crate::draft::{Draft, Links};
 use crate::findings::{no_roads, too_large, too_many_ids, too_many_overlaps, unfit};
-use crate::options::{CompileOptions, ReadOptions};
+use crate::options::{CompileOptions, Lowering, ReadOptions};
 use crate::quarantine::{Cause, Exclusions, QuarantinedPart, Units};
 use crate::report::{Collector, Compilation, Progress, Verdict, Version};
-use crate::without::Without;
 use crate::{frame, graph, index, objects, resolve, sample, signals};
 use hashing::HashingReader;
 use in_order::InOrder;
@@ -114,7 +113,7 @@ fn round(
     options: &CompileOptions,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Round> {
-    let mut document = read(input, reading, without, options.without, progress)?;
+    let mut document = read(input, reading, without, options.lowering(), progress)?;
     let roads = document.draft.rows.roads.len();
     let length = document.draft.rows.roads.iter().map(|road| road.length).sum();
     let rows = document.sample(options, progress)?;
@@ -202,12 +201,12 @@ fn read(
     input: impl Read + Send,
     reading: &ReadOptions,
     without: &Exclusions,
-    extras: Without,
+    lowering: Lowering,
     progress: &mut dyn FnMut(Progress),
 ) -> io::Result<Document> {
     let mut hashing = HashingReader::new(input);
     let ontology = Arc::new(reading.ontology.clone());
-    let mut draft = Draft::new(Arc::clone(&ontology), extras);
+    let mut draft = Draft::new(Arc::clone(&ontology), lowering);
     let mut collector = Collector::new(without, &reading.rules);
     let mut quarantined = Vec::new();
     let (to_hash, networks) = (hashing.hashing(), Arc::new(InOrder::new(Network::default(), add)));
@@ -245,7 +244,7 @@ fn read(
         loop {
             // What is left out is so before anything looks at it.
             let plan =
-                || without.is_empty().then(|| Plan::new(&checker, &ontology, &places, extras));
+                || without.is_empty().then(|| Plan::new(&checker, &ontology, &places, lowering));
             let Some(next) = stream.next(&plan)? else { break };
             let (read, counted) = (stream.reader.take_findings(), stream.reader.take_counted());
             let mut checked = Vec::new();

@@ -2,8 +2,8 @@
 
 use crate::draft::Draft;
 use crate::lower::{ObjectContext, Owner};
+use crate::options::Lowering;
 use crate::quarantine::Units;
-use crate::without::Without;
 use mapd_archive::AnnotationOwner;
 use mapd_ontology::Ontology;
 use mapd_rules::line::ReferenceLine;
@@ -19,7 +19,7 @@ pub(crate) struct Plan {
     examiner: Examiner,
     ontology: Arc<Ontology>,
     places: Places,
-    without: Without,
+    lowering: Lowering,
 }
 
 /// What was found in an element.
@@ -47,16 +47,16 @@ impl Plan {
         checker: &Checker,
         ontology: &Arc<Ontology>,
         places: &Places,
-        without: Without,
+        lowering: Lowering,
     ) -> Self {
         let (ontology, places) = (Arc::clone(ontology), places.clone());
-        Self { examiner: checker.examiner(), ontology, places, without }
+        Self { examiner: checker.examiner(), ontology, places, lowering }
     }
 
     /// Reads a batch; each of its elements is checked and lowered while it is still at hand.
     pub(crate) fn read(self, context: &Context, batch: Batch) -> (ReadBatch, Lowered) {
-        let Self { mut examiner, ontology, places, without } = self;
-        let mut draft = Draft::part(ontology, without);
+        let Self { mut examiner, ontology, places, lowering } = self;
+        let mut draft = Draft::part(ontology, lowering);
         let places = batch.places(&places);
         let mut units = Units::default();
         let none = draft.roads();

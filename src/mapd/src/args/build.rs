@@ -4,7 +4,7 @@ use super::{FrameArgs, JudgingArgs, OntologyArgs, finite};
 use crate::exit::UsageError;
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum, ValueHint};
-use mapd_compiler::{CompileOptions, CyclePolicy, Extra, OffsetSign, ReadOptions};
+use mapd_compiler::{CompileOptions, CyclePolicy, Extra, MarkReading, OffsetSign, ReadOptions};
 use mapd_transport::read_regular;
 use mapd_xodr::{LONGEST_PATCH, Patch, PatchedId};
 use std::path::PathBuf;
@@ -36,6 +36,10 @@ pub(crate) struct BuildArgs {
     /// Sign of the header's offset
     #[arg(long, value_enum, default_value_t = Sign::Auto)]
     offset_sign: Sign,
+
+    /// How road marks without a laneChange are read
+    #[arg(long, value_enum, default_value_t = Marks::Standard)]
+    marks: Marks,
 
     /// Data to leave out of the archive; nothing else depends on it
     #[arg(long, value_name = "KIND", value_enum, value_delimiter = ',')]
@@ -90,6 +94,15 @@ enum Sign {
     Negated,
 }
 
+/// As [`MarkReading`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Marks {
+    /// Lanes may be changed across them, as in the standard
+    Standard,
+    /// By their type: not across a solid line from its own side
+    Type,
+}
+
 /// As [`CyclePolicy`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Cycles {
@@ -117,6 +130,10 @@ impl BuildArgs {
                 Sign::Auto => OffsetSign::Auto,
                 Sign::Standard => OffsetSign::Standard,
                 Sign::Negated => OffsetSign::Negated,
+            },
+            marks: match self.marks {
+                Marks::Standard => MarkReading::Standard,
+                Marks::Type => MarkReading::Type,
             },
             crs: self.frame.crs.clone(),
             without: self.without.iter().map(|kind| kind.0).collect(),

@@ -1,7 +1,7 @@
 //! Lanes that lie beyond the centre of their road's bend.
 
 use crate::example::Example::Document;
-use crate::line::Walk;
+use crate::line::{Piece, Walk};
 use crate::place::{RoadIn, SectionIn, Side, lane_part, number};
 use crate::profile::{borders_at, superelevation_at};
 use crate::rule::Check::Road;
@@ -14,6 +14,8 @@ use std::collections::BTreeMap;
 const STEP: Tolerance = Tolerance { name: "step", value: 1.0, unit: "m" };
 /// How many places are looked at along a road and in each section at most.
 const PLACES: f64 = 1000.0;
+/// So far from the end of a short bend it is looked at, as a part of its length: at its end the next geometry holds.
+const INSIDE: f64 = 1e-6;
 /// Bends that are gentler fold no lane: none lies as far off its road as their centre.
 const GENTLE: Tolerance =
     Tolerance { name: "curvature that is looked at", value: 0.01, unit: "1/m" };
@@ -53,12 +55,14 @@ struct Fold<'a> {
     bend: [f64; 2],
 }
 
+/// Whether a geometry may bend so sharply that lanes fold.
+fn bends(piece: &Piece) -> bool {
+    let even = piece.curve().map(|curve| curve.even_curvature_up_to(piece.length));
+    even.is_some_and(|even| even.is_none_or(|curvature| curvature.abs() >= GENTLE.value))
+}
+
 fn folded(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     // Most roads have no such bend.
-    let bends = |piece: &crate::line::Piece| {
-        let even = piece.curve().map(|curve| curve.even_curvature_up_to(piece.length));
-        even.is_some_and(|even| even.is_none_or(|curvature| curvature.abs() >= GENTLE.value))
-    };
     if !of.line.pieces.iter().any(bends) {
         return;
     }
@@ -82,6 +86,24 @@ fn folded(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     }
 }
 
+/// Places in bends that are shorter than a step, so that steps may miss them: the middle and the end of each that a section has, from its start `[m]`.
+fn short_bends<'a>(
+    of: &RoadIn<'a>,
+    start: f64,
+    length: f64,
+    step: f64,
+) -> impl Iterator<Item = f64> + use<'a> {
+    let pieces = &of.line.pieces;
+    let first = pieces.partition_point(|piece| piece.s + piece.length <= start);
+    let rest = pieces.get(first..).unwrap_or_default().iter();
+    let own = rest.take_while(move |piece| piece.s < start + length);
+    own.filter(move |piece| piece.length < step && bends(piece))
+        .take(PLACES as usize)
+        .flat_map(|piece| [0.5, 1.0 - INSIDE].map(|part| piece.s + part * piece.length))
+        .map(move |s| s - start)
+        .filter(move |ds| (0.0..=length).contains(ds))
+}
+
 /// Looks along a side of a section.
 fn look<'a>(
     of: &RoadIn<'a>,
@@ -93,8 +115,8 @@ fn look<'a>(
     let length = section.length_of(side);
     let count = mapd_geometry::clamp((length / step).ceil(), 1.0, PLACES) as u32;
     let mut walk = Walk::new(of.line);
-    for place in 0..=count {
-        let ds = length * f64::from(place) / f64::from(count);
+    let even = (0..=count).map(|place| length * f64::from(place) / f64::from(count));
+    for ds in even.chain(short_bends(of, section.s(), length, step)) {
         let s = section.s() + ds;
         let Some(curvature) = walk.curvature_at(s) else { return };
         if curvature.abs() < GENTLE.value {

@@ -4,6 +4,7 @@ mod access;
 mod center;
 mod folds;
 mod layers;
+mod marks;
 mod numbering;
 mod offsets;
 mod sections;
@@ -19,6 +20,7 @@ pub(super) static RULES: &[&[Rule]] = &[
     widths::RULES,
     folds::RULES,
     offsets::RULES,
+    marks::RULES,
     access::RULES,
     layers::RULES,
 ];

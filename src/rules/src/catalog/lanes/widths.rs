@@ -1,6 +1,6 @@
 //! Widths are there, and not negative.
 
-use crate::example::Example::Lane as OfLane;
+use crate::example::Example::{Lane as OfLane, Lanes};
 use crate::place::{LaneIn, number};
 use crate::profile::{Record, record, width_at};
 use crate::rule::Check::Lane;
@@ -29,6 +29,17 @@ pub(super) static RULES: &[Rule] = &[
     )
     .within(&[ROUNDING]),
     Rule::warning(
+        "mapd:xodr:1.4.0:lane.without_width",
+        "A lane has a width or a border; without, it is 0 m wide.",
+        Lane(without_width),
+        [
+            OfLane(r#"<width sOffset="0" a="3" b="0" c="0" d="0"/>"#),
+            Lanes(
+                r#"<laneSection s="0"><center><lane id="0" type="none"/></center><right><lane id="-1" type="driving"/></right></laneSection>"#,
+            ),
+        ],
+    ),
+    Rule::warning(
         "asam.net:xodr:1.4.0:road.lane.width.lane_width_validity",
         "The width of a lane is never below 0.",
         Lane(not_negative),
@@ -56,6 +67,12 @@ fn from_the_start(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
     let s_offset = number(&first.s_offset);
     if s_offset.abs() > ROUNDING.value {
         sink.add_within("width", first.span, "the first width at sOffset = 0", s_offset);
+    }
+}
+
+fn without_width(of: &LaneIn<'_>, sink: &mut Sink<'_>) {
+    if of.lane.width.is_empty() && of.lane.border.is_empty() {
+        sink.add(of.lane.span, "a width or a border of the lane", "none; it is 0 m wide");
     }
 }
 

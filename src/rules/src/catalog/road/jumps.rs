@@ -13,13 +13,13 @@ use mapd_xodr::{CubicRecord, Lane, LaneType};
 const STEP: Tolerance = Tolerance { name: "step", value: 0.01, unit: "m" };
 /// Steps of superelevation that come from rounding in the file.
 const ROLL: Tolerance = Tolerance { name: "step of superelevation", value: 0.01, unit: "rad" };
-/// A lane section begins within this distance of its own s.
+/// A lane section begins within this distance of its own s, and a road at s = 0.
 const AT: Tolerance =
     Tolerance { name: "distance of the start of a section", value: 1e-6, unit: "m" };
 
 pub(super) static RULES: &[Rule] = &[Rule::warning(
     "mapd:xodr:1.4.0:lane_smoothness.within_road",
-    "Within a road, height and superelevation do not jump where a record begins; within a lane section, nor do the lane offset and the widths of driving lanes.",
+    "Within a road, height and superelevation do not jump where a record begins, also from the 0 before the first one; within a lane section, nor do the lane offset and the widths of driving lanes.",
     Road(jumps),
     [
         In(r#"<elevationProfile><elevation s="0" a="5" b="0.02" c="0" d="0"/><elevation s="50" a="6" b="0" c="0" d="0"/></elevationProfile>"#),
@@ -55,16 +55,46 @@ fn report<R: CubicRecord>(
     }
 }
 
+/// Reports a first record that begins along `length` and does not go on from the 0 that holds before it, as [`report`] does those behind it.
+fn report_first<R: CubicRecord>(
+    records: &[R],
+    length: f64,
+    tolerance: &Tolerance,
+    may_jump: impl Fn(f64) -> bool,
+    path: &str,
+    sink: &mut Sink<'_>,
+) {
+    let Some((first, at)) = records.first().and_then(|first| Some((first, first.start()?))) else {
+        return;
+    };
+    if !(at > AT.value && at < length) || may_jump(at) {
+        return;
+    }
+    let after = value_at(std::slice::from_ref(first), at);
+    if after.abs() > tolerance.value {
+        let expected =
+            format_args!("0 {}, as before the first record at {} = {at}", tolerance.unit, R::START);
+        sink.add_within(
+            path,
+            first.span(),
+            expected,
+            format_args!("{after:.3} {}", tolerance.unit),
+        );
+    }
+}
+
 fn jumps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
     let road = of.road;
     let length = number(&road.length);
     if let Some(profile) = &road.elevation_profile {
-        let path = || "elevationProfile/elevation".to_owned();
-        report(&profile.elevation, length, &STEP, |_| false, path, sink);
+        let path = "elevationProfile/elevation";
+        report_first(&profile.elevation, length, &STEP, |_| false, path, sink);
+        report(&profile.elevation, length, &STEP, |_| false, || path.to_owned(), sink);
     }
     if let Some(profile) = &road.lateral_profile {
-        let path = || "lateralProfile/superelevation".to_owned();
-        report(&profile.superelevation, length, &ROLL, |_| false, path, sink);
+        let path = "lateralProfile/superelevation";
+        report_first(&profile.superelevation, length, &ROLL, |_| false, path, sink);
+        report(&profile.superelevation, length, &ROLL, |_| false, || path.to_owned(), sink);
     }
     for lanes in &road.lanes {
         // Where a section begins, lanes are counted anew: lane 0 may be another line.
@@ -73,7 +103,9 @@ fn jumps(of: &RoadIn<'_>, sink: &mut Sink<'_>) {
             let next = sections.partition_point(|own| number(&own.s) < s - AT.value);
             sections.get(next).is_some_and(|own| number(&own.s) <= s + AT.value)
         };
-        report(&lanes.lane_offset, length, &STEP, begins, || "lanes/laneOffset".to_owned(), sink);
+        let path = "lanes/laneOffset";
+        report_first(&lanes.lane_offset, length, &STEP, begins, path, sink);
+        report(&lanes.lane_offset, length, &STEP, begins, || path.to_owned(), sink);
     }
     for section in of.sections() {
         for side in [Side::Left, Side::Right] {
