@@ -8,7 +8,7 @@ use std::process::Command;
 pub const GROUP: u32 = 61_002;
 
 /// Whose process it is: a user that no file belongs to.
-const USER: u32 = 61_001;
+pub const USER: u32 = 61_001;
 
 /// A program of another user in this domain, in these groups; `None`, with the reason on stderr, where that cannot be done.
 pub fn command(place: &TestDomain, groups: &str, program: impl AsRef<Path>) -> Option<Command> {

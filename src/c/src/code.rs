@@ -186,6 +186,7 @@ fn attach_code(error: &AttachError) -> mapd_code {
         AttachError::TooManyPinned { .. } => mapd_code::TOO_MANY_PINNED,
         AttachError::PermissionDenied { .. }
         | AttachError::OnlyObservers { .. }
+        | AttachError::NoSubscribers { .. }
         | AttachError::UnknownOwner { .. }
         | AttachError::NotShared { .. } => mapd_code::PERMISSION_DENIED,
         AttachError::Stuck { .. } => mapd_code::STUCK,

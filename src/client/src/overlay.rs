@@ -95,6 +95,7 @@ pub enum ProposeError {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Proposer {
+    domain: Domain,
     path: PathBuf,
     map: String,
     source: String,
@@ -104,7 +105,8 @@ impl Proposer {
     /// A proposer to the daemon that serves a map of this name. `source` is what it calls itself: the daemon's policy names it. Nothing is connected yet.
     pub fn new(domain: &Domain, map: &str, source: &str) -> Self {
         let path = proposals_socket(domain, map);
-        Self { path, map: map.to_owned(), source: source.to_owned() }
+        let domain = domain.clone();
+        Self { domain, path, map: map.to_owned(), source: source.to_owned() }
     }
 
     /// Proposes an entry, as JSON by `schemas/overlay.schema.json`, and waits at most so long for the decision. An entry of the same id is replaced, and
@@ -132,7 +134,7 @@ impl Proposer {
     }
 
     fn exchange(&self, entry: &str, wait: Duration) -> io::Result<Decision> {
-        let mut stream = connect_until(&self.path, after(wait))?;
+        let mut stream = connect_until(&self.domain, &self.path, after(wait))?;
         // A timeout of zero would be refused.
         let wait = Some(wait.max(Duration::from_millis(1)));
         stream.set_read_timeout(wait)?;

@@ -6,15 +6,19 @@
 
 use crate::clock::since_epoch;
 use anyhow::{Context, Result, ensure};
-use rustix::fs::OFlags;
+use mapd_transport::open_guarded;
+use rustix::fs::{Mode, OFlags};
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
-use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
+use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
 /// Attempts to take over a draft, should its writer finish it just then.
 const ATTEMPTS: usize = 8;
+
+/// Mode of a file that is made, less what the umask takes away.
+const NEW_FILE: u32 = 0o666;
 
 /// A file that is being written. Removed when dropped, unless it is published.
 pub(crate) struct Draft {
@@ -85,16 +89,15 @@ impl Drop for Draft {
 ///
 /// Errors: another writer has it; it is not ours to write.
 fn take(path: &Path) -> io::Result<Option<File>> {
-    let mut options = OpenOptions::new();
     // Whatever it held is of no use, but must not go before it is ours.
-    options.read(true).write(true).create(true).truncate(false);
-    options.custom_flags(OFlags::NOFOLLOW.bits().cast_signed());
-    let file = options.open(path)?;
+    let access = OFlags::RDWR | OFlags::CREATE;
+    let us = rustix::process::geteuid().as_raw();
+    let (file, _) = open_guarded(path, access, Mode::from_raw_mode(NEW_FILE), us)?;
+    let file = File::from(file);
     file.try_lock().map_err(io::Error::from)?;
     let own = file.metadata()?;
-    // In a folder that others may write too, no other process may have it open.
-    let is_ours = own.uid() == rustix::process::geteuid().as_raw() && own.nlink() <= 1;
-    if !own.is_file() || !is_ours {
+    // Another name of it may be that of a file that is to stay as it is.
+    if own.nlink() > 1 {
         return Err(io::ErrorKind::PermissionDenied.into());
     }
     let same = |there: fs::Metadata| (there.dev(), there.ino()) == (own.dev(), own.ino());

@@ -109,6 +109,7 @@ fn attach_class(error: &AttachError) -> &'static str {
         | AttachError::NoDescriptors { .. } => "ExhaustedError",
         AttachError::PermissionDenied { .. }
         | AttachError::OnlyObservers { .. }
+        | AttachError::NoSubscribers { .. }
         | AttachError::UnknownOwner { .. }
         | AttachError::NotShared { .. } => "NotPermittedError",
         AttachError::Stuck { .. } | AttachError::Busy { .. } => "BusyError",

@@ -2,10 +2,11 @@
 
 use crate::domain::Domain;
 use crate::error::AttachError;
-use std::fs::{File, OpenOptions, TryLockError};
+use crate::regular::{create_guarded, open_owned};
+use std::fs::{File, TryLockError};
 use std::io;
-use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
-use std::path::PathBuf;
+use std::os::unix::fs::MetadataExt;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -46,21 +47,20 @@ impl AttachLock {
     ///
     /// Errors: [`io::ErrorKind::NotFound`] if there was none; whatever else the system says.
     pub fn open(domain: &Domain) -> io::Result<Self> {
-        Self::with(domain, OpenOptions::new().read(true))
+        Self::with(domain, |path| open_owned(path, domain.owner()))
     }
 
     /// Opens or creates the lock. For daemons.
     ///
     /// Errors: what the system says.
     pub fn create(domain: &Domain) -> io::Result<Self> {
-        let mut options = OpenOptions::new();
-        Self::with(domain, options.read(true).write(true).create(true).truncate(false).mode(0o600))
+        Self::with(domain, create_guarded)
     }
 
-    fn with(domain: &Domain, options: &OpenOptions) -> io::Result<Self> {
+    fn with(domain: &Domain, open: impl Fn(&Path) -> io::Result<File>) -> io::Result<Self> {
         let path = domain.root().join(FILE_NAME);
-        let file = Arc::new(options.open(&path)?);
-        let turnstile = Arc::new(options.open(domain.root().join(TURNSTILE))?);
+        let file = Arc::new(open(&path)?);
+        let turnstile = Arc::new(open(&domain.root().join(TURNSTILE))?);
         Ok(Self { file, turnstile, path })
     }
 

@@ -2,10 +2,10 @@
 
 use crate::domain::Domain;
 use crate::observer::daemon_heard;
-use crate::regular::open_owned;
-use std::fs::{File, OpenOptions, TryLockError};
+use crate::regular::{create_guarded, open_owned};
+use std::fs::{File, TryLockError};
 use std::io::{self, Read, Write};
-use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
+use std::os::unix::fs::MetadataExt;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use thiserror::Error;
@@ -62,14 +62,7 @@ impl Claim {
         let io = |source| ClaimError::Io { path: path.clone(), source };
         let until = Instant::now() + PATIENCE;
         loop {
-            let mut file = OpenOptions::new()
-                .read(true)
-                .write(true)
-                .create(true)
-                .truncate(false)
-                .mode(0o600)
-                .open(&path)
-                .map_err(io)?;
+            let mut file = create_guarded(&path).map_err(io)?;
             match file.try_lock() {
                 // A daemon that ends removes the file before it unlocks: then the lock is on a file without a name.
                 Ok(()) if is_named(&file, &path) => {

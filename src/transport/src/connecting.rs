@@ -1,5 +1,8 @@
 //! Connecting to a socket of a daemon.
 
+use crate::domain::Domain;
+use crate::error::AttachError;
+use crate::user::check_owner;
 use rustix::io::Errno;
 use rustix::net::{self, AddressFamily, SocketAddrUnix, SocketFlags, SocketType, socket_with};
 use std::io;
@@ -13,10 +16,14 @@ const FIRST_PAUSE: Duration = Duration::from_micros(100);
 /// Longest such pause.
 const LONGEST_PAUSE: Duration = Duration::from_millis(10);
 
-/// Connects, and tries again until the deadline while too many others do: the kernel's own wait would have no end where the daemon is stopped.
+/// Connects to a socket in the root folder, which must be the trusted user's: anybody can make a folder of its name, and listen there. Tries again until the deadline while too many others do: the kernel's own wait would have no end where the daemon is stopped.
 ///
-/// Errors: what the system says; [`io::ErrorKind::WouldBlock`] at the deadline.
-pub fn connect_until(path: &Path, deadline: Instant) -> io::Result<UnixStream> {
+/// Errors: the folder is another user's; what the system says; [`io::ErrorKind::WouldBlock`] at the deadline.
+pub fn connect_until(domain: &Domain, path: &Path, deadline: Instant) -> io::Result<UnixStream> {
+    check_owner(domain).map_err(|error| match error {
+        AttachError::Io { source, .. } => source,
+        stranger => io::Error::other(stranger),
+    })?;
     let flags = SocketFlags::NONBLOCK | SocketFlags::CLOEXEC;
     let socket = socket_with(AddressFamily::UNIX, SocketType::STREAM, flags, None)?;
     let address = SocketAddrUnix::new(path)?;

@@ -90,7 +90,8 @@ pub enum AttachError {
     },
     /// The files belong to a user that is not trusted.
     #[error(
-        "{} belongs to user {owner}, trusted is user {trusted}; run daemon and clients as one user, or name the daemon's with --owner or MAPD_OWNER",
+        "{} belongs to user {owner}, trusted is user {trusted}; run daemon and clients as one user, or name the daemon's with --owner or MAPD_OWNER; \
+         if that user has nothing to do with mapd, remove it, or take another prefix",
         path.display()
     )]
     PermissionDenied {
@@ -111,6 +112,15 @@ pub enum AttachError {
         path: PathBuf,
         /// User id of its owner.
         owner: u32,
+    },
+    /// The daemon that serves the map serves observers alone.
+    #[error(
+        "map {map:?}: its daemon has no subscribers, because another user holds a name that they need (`mapd status` says which); attach as an observer, \
+         which is the default"
+    )]
+    NoSubscribers {
+        /// The map.
+        map: String,
     },
     /// The files belong to a user that is not mapped into this user namespace.
     #[error(

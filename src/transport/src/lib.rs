@@ -6,7 +6,7 @@
 //! Where both sides meet is a [`Domain`]: a prefix for every file in `/dev/shm` and a root folder there, mode 0700.
 //!
 //! ```text
-//! /dev/shm/mapd_…                     segments of iceoryx2: map data (0400), queues, service state
+//! /dev/shm/mapd_…                     segments of iceoryx2: map data (0400), queues, service state, counter of nodes
 //! /dev/shm/mapd_root/.attach          flock: shared while a client attaches, exclusive while a daemon creates or cleans
 //! /dev/shm/mapd_root/.turn            flock: taken by every process before .attach, so that daemons get their turn
 //! /dev/shm/mapd_root/.present         flock: shared by every process that uses the domain; free if no process does
@@ -23,6 +23,10 @@
 //! Why the attach lock: a process killed while it creates a segment leaves one of size zero or without read permission,
 //! and iceoryx2 0.10 waits for such a segment for ever. A process that creates anything therefore holds the lock. A daemon that
 //! holds it exclusively knows that the creator of every unfinished segment has died, and removes the segment before another process can wait for it.
+//!
+//! Every user can put files into `/dev/shm`. What belongs to another user than the domain's is no part of the domain, whatever its name: no file there is opened but by
+//! [`open_guarded`], which follows no link, waits for no pipe and asks the open file whose it is. What the domain's user has there, nobody else can remove or replace,
+//! for the folder is sticky. Where a stranger was first, the error names the file and its owner.
 //!
 //! Invariants: a client creates no service, cleans up nothing, starts no thread, installs no signal handler, prints
 //! nothing, and reads no configuration; every wait has a deadline. All processes of a domain run as one user.
@@ -89,14 +93,17 @@ pub use record::{
     read_generation, read_generation_file, remove_staged, replace_text, replace_text_durably,
     write_generation, write_staged,
 };
-pub use regular::{open_regular, read_regular};
+pub use regular::{
+    OWN_FILE, Untrusted, create_guarded, open_guarded, open_owned, open_regular, read_owned,
+    read_regular,
+};
 pub use room::{ATTACH_DESCRIPTORS, ATTACH_ROOM, Descriptors, descriptors, free_bytes};
 pub use share::Share;
 pub use status::{MapStatus, list_maps};
 #[cfg(feature = "iceoryx2")]
 pub use subscriber::{
-    AttachTiming, Subscription, TransportService, count_subscriptions, iceoryx2_config,
-    silence_iceoryx2,
+    AttachTiming, Subscription, TransportService, count_subscriptions, foreign_node_counter,
+    iceoryx2_config, prepare_node_counter, silence_iceoryx2,
 };
-pub use unfinished::unfinished_segments;
-pub use user::{check_own, check_owner};
+pub use unfinished::{DomainFiles, ForeignFile, MOST_FOREIGN, domain_files, unfinished_segments};
+pub use user::{check_own, check_owner, is_ours};

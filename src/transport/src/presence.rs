@@ -1,9 +1,9 @@
 //! Which processes use a domain. Each holds a lock, which the kernel releases if the process dies.
 
 use crate::domain::Domain;
-use std::fs::{File, OpenOptions};
+use crate::regular::{create_guarded, open_owned};
+use std::fs::File;
 use std::io;
-use std::os::unix::fs::OpenOptionsExt;
 
 /// Name in the root folder.
 const FILE_NAME: &str = ".present";
@@ -21,7 +21,7 @@ impl Presence {
     ///
     /// Errors: the system's; would-block only while another process tests, without the attach lock, which processes are present.
     pub fn enter(domain: &Domain) -> io::Result<Self> {
-        let file = OpenOptions::new().read(true).open(domain.root().join(FILE_NAME))?;
+        let file = open_owned(&domain.root().join(FILE_NAME), domain.owner())?;
         file.try_lock_shared()?;
         Ok(Self { _file: file })
     }
@@ -30,20 +30,13 @@ impl Presence {
     ///
     /// Errors: what the system says.
     pub fn prepare(domain: &Domain) -> io::Result<()> {
-        let path = domain.root().join(FILE_NAME);
-        OpenOptions::new()
-            .write(true)
-            .create(true)
-            .truncate(false)
-            .mode(0o600)
-            .open(path)
-            .map(|_| ())
+        create_guarded(&domain.root().join(FILE_NAME)).map(|_| ())
     }
 
     /// Whether no process is present: then all files of the domain were left by processes that have ended. Under the exclusive
     /// attach lock this stays so, because no process can enter.
     pub fn is_deserted(domain: &Domain) -> bool {
-        let file = File::open(domain.root().join(FILE_NAME));
+        let file = open_owned(&domain.root().join(FILE_NAME), domain.owner());
         file.is_ok_and(|file| file.try_lock().is_ok())
     }
 }
@@ -64,17 +57,14 @@ impl Sharing {
     ///
     /// Errors: the system's; would-block only while another process tests, without the attach lock, whether anybody shares.
     pub fn enter(domain: &Domain) -> io::Result<Self> {
-        let path = domain.root().join(SHARING);
-        let mut options = OpenOptions::new();
-        let file = options.read(true).write(true).create(true).truncate(false).mode(0o600);
-        let file = file.open(path)?;
+        let file = create_guarded(&domain.root().join(SHARING))?;
         file.try_lock_shared()?;
         Ok(Self { _file: file })
     }
 
     /// Whether no daemon shares the domain.
     pub fn is_over(domain: &Domain) -> bool {
-        match File::open(domain.root().join(SHARING)) {
+        match open_owned(&domain.root().join(SHARING), domain.owner()) {
             Ok(file) => file.try_lock().is_ok(),
             Err(error) => error.kind() == io::ErrorKind::NotFound,
         }

@@ -5,7 +5,7 @@ use crate::claim::served_by;
 use crate::domain::Domain;
 use crate::limits::TRANSPORT_REVISION;
 use crate::payload::GenerationInfo;
-use crate::regular::{read_owned, read_regular};
+use crate::regular::read_owned;
 use crate::share::Share;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -39,11 +39,11 @@ pub fn parse_generation(text: &str) -> io::Result<u64> {
     }
 }
 
-/// The number that a file holds; 0 if it is not there.
+/// The number that a file of this process's user holds; 0 if it is not there.
 ///
-/// Errors: it cannot be read, is no regular file, or holds no number that makes sense.
+/// Errors: it cannot be read, is no regular file of this user, or holds no number that makes sense.
 pub fn read_generation_file(path: &Path) -> io::Result<u64> {
-    match read_regular(path, LONGEST) {
+    match read_owned(path, rustix::process::geteuid().as_raw(), LONGEST) {
         Ok(text) => parse_generation(&text),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(0),
         Err(error) => Err(error),
@@ -115,7 +115,7 @@ pub(super) fn unfinished(path: &Path) -> PathBuf {
 }
 
 /// Makes a file in the place of what a killed writer has left, or of whatever else is there.
-fn create_anew(path: &Path) -> io::Result<File> {
+pub(super) fn create_anew(path: &Path) -> io::Result<File> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         // Whatever the umask is: nobody else writes in a folder that is shared.

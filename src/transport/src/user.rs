@@ -19,6 +19,11 @@ pub(crate) fn trusts(owner: u32, found: u32) -> bool {
     found == owner && (found != UNMAPPED || all_are_mapped())
 }
 
+/// Whether a file of user `found` is this process's own user's.
+pub fn is_ours(found: u32) -> bool {
+    trusts(rustix::process::geteuid().as_raw(), found)
+}
+
 fn all_are_mapped() -> bool {
     let map = std::fs::read_to_string("/proc/self/uid_map").unwrap_or_default();
     map.split_whitespace().eq(["0", "0", ALL])
@@ -35,12 +40,12 @@ pub fn check_owner(domain: &Domain) -> Result<(), AttachError> {
 pub(super) fn check_owned_by(domain: &Domain, owner: u32) -> Result<(), AttachError> {
     let root = domain.root();
     let metadata = fs::symlink_metadata(root).map_err(|error| AttachError::io(root, error))?;
-    if !metadata.is_dir() {
-        return Err(AttachError::io(root, io::ErrorKind::NotADirectory.into()));
+    if !trusts(owner, metadata.uid()) {
+        return Err(not_owned(root, metadata.uid(), owner));
     }
-    match trusts(owner, metadata.uid()) {
+    match metadata.is_dir() {
         true => Ok(()),
-        false => Err(not_owned(root, metadata.uid(), owner)),
+        false => Err(AttachError::io(root, io::ErrorKind::NotADirectory.into())),
     }
 }
 

@@ -60,6 +60,8 @@ mod service_trouble;
 mod shared;
 // Readers that are stopped, at any moment, while generations and daemons change, and go on.
 mod stopped;
+// What another user puts into /dev/shm: it changes nothing, and stops nobody who does not need its name.
+mod strangers;
 // Many threads read while generations change under them: every answer belongs to the generation it was asked of.
 mod threads;
 // Signed archives: what is signed by the trusted key is served and queried, everything else is refused with its reason.

@@ -3,7 +3,8 @@
 //! An archive's name is its [`Key`]: a hash of everything that shapes it. Files appear under their names whole, by renaming;
 //! they are never changed afterwards. The cache is a convenience and nothing else: it may be deleted, in part or as a whole,
 //! at any time, by anyone; what is read from it is proved before it is used; a file that does not prove, or is not what its
-//! name says, is removed. Pipes, folders and devices under its names are not waited for.
+//! name says, is removed. Pipes, folders and devices under its names are not waited for, links are not followed, and what belongs to another user is not there:
+//! others may be able to write to a folder that is named for it.
 //!
 //! ```text
 //! {folder}/{key}.mapd        an archive; the time of its last use is the file's
@@ -23,10 +24,10 @@ pub use key::{InputHash, Key};
 pub use known::{HashedInput, Identity};
 
 use crate::clock::since_epoch;
-use mapd_transport::{open_regular, read_regular};
+use mapd_transport::{open_owned, read_owned};
 use std::ffi::OsStr;
 use std::fs::{self, DirBuilder, File, OpenOptions, TryLockError};
-use std::io;
+use std::io::{self, Write};
 use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -81,7 +82,7 @@ pub struct Unfinished {
     path: PathBuf,
     kept: bool,
     /// Locked: the kernel unlocks it when this process ends, however it ends.
-    _locked: File,
+    locked: File,
 }
 
 impl Unfinished {
@@ -123,7 +124,7 @@ impl Cache {
         for entry in fs::read_dir(&cache.folder)?.filter_map(Result::ok) {
             let unfinished = entry.file_name().to_string_lossy().starts_with(UNFINISHED);
             let path = entry.path();
-            if unfinished && open_regular(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+            if unfinished && open_owned(&path, us()).is_ok_and(|file| file.try_lock().is_ok()) {
                 // Tried again by the next.
                 let _ = fs::remove_file(path);
             }
@@ -157,7 +158,7 @@ impl Cache {
     /// An archive, opened for reading; it stays readable whatever becomes of its name. It has not
     /// been proved.
     pub fn get(&self, key: &Key) -> Option<OpenArchive> {
-        let file = open_regular(&self.path(key, ARCHIVE)).ok()?;
+        let file = open_owned(&self.path(key, ARCHIVE), us()).ok()?;
         let metadata = file.metadata().ok()?;
         // The least recently used archives are removed first. On a read-only disk all of them stay.
         let _ = file.set_modified(SystemTime::now());
@@ -179,7 +180,7 @@ impl Cache {
             // Without locks, no other process takes it for an abandoned one either.
             let taken = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
             if !taken && path.exists() {
-                return Ok(Unfinished { path, kept: false, _locked: file });
+                return Ok(Unfinished { path, kept: false, locked: file });
             }
         }
         Err(io::ErrorKind::ResourceBusy.into())
@@ -189,7 +190,7 @@ impl Cache {
     ///
     /// Errors: what the system says.
     pub fn keep(&self, mut unfinished: Unfinished, key: &Key) -> io::Result<OpenArchive> {
-        let file = File::open(&unfinished.path)?;
+        let file = open_owned(&unfinished.path, us())?;
         let length = file.metadata()?.len();
         fs::rename(&unfinished.path, self.path(key, ARCHIVE))?;
         unfinished.kept = true;
@@ -225,7 +226,7 @@ impl Cache {
     /// Writes a record, which is there as a whole or not.
     fn write(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let mut unfinished = self.begin()?;
-        fs::write(&unfinished.path, bytes)?;
+        (&unfinished.locked).write_all(bytes)?;
         fs::rename(&unfinished.path, path)?;
         unfinished.kept = true;
         if self.written.fetch_add(1, Ordering::Relaxed) % RECORDS_UNLOOKED == RECORDS_UNLOOKED - 1 {
@@ -254,7 +255,7 @@ impl Cache {
 
     /// Reads a record; nothing where there is none, or something else has its name.
     fn read(&self, record: &Path) -> Option<String> {
-        read_regular(record, LONGEST_RECORD).ok()
+        read_owned(record, us(), LONGEST_RECORD).ok()
     }
 
     fn make_folder(&self) -> io::Result<()> {
@@ -296,6 +297,11 @@ impl Cache {
             }
         }
     }
+}
+
+/// Whose files are used: this process's user's.
+fn us() -> u32 {
+    rustix::process::geteuid().as_raw()
 }
 
 #[cfg(test)]

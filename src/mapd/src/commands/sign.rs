@@ -1,6 +1,7 @@
 //! `mapd sign`: signatures in minisign's format, beside the file.
 
 use super::overlay::read_document;
+use crate::draft;
 use crate::exit::{Exit, UsageError};
 use crate::printable::shown;
 use crate::source::is_archive;
@@ -142,11 +143,8 @@ fn write(
     let signature = minisign::sign(None, key, Cursor::new(bytes), Some(&comment), Some(untrusted))
         .with_context(|| format!("signing {}", path.display()))?;
     let to = signature_path(path);
-    // Written anew and renamed, so that a daemon that looks meanwhile sees the old one or the new one.
-    let new = to.with_extension(format!("minisig.{}.tmp", std::process::id()));
-    std::fs::write(&new, signature.into_string())
-        .and_then(|()| std::fs::rename(&new, &to))
-        .with_context(|| format!("writing {}", to.display()))?;
+    // A daemon that looks meanwhile sees the old one or the new one.
+    draft::write(&to, signature.into_string().as_bytes())?;
     Ok(to)
 }
 

@@ -57,6 +57,7 @@ struct Daemon {
     started_unix_ns: u64,
     uptime_seconds: f64,
     cache: Option<CacheStatus>,
+    without_subscribers: Option<String>,
 }
 
 impl Status {
@@ -88,6 +89,7 @@ impl Status {
                 started_unix_ns: daemon.started_unix_ns,
                 uptime_seconds: daemon.uptime_seconds,
                 cache: daemon.cache.clone(),
+                without_subscribers: daemon.without_subscribers.clone(),
             }),
             may_ask,
         }
@@ -240,6 +242,10 @@ fn list(domain: &Domain, json: bool, out: &mut dyn Write) -> Result<Vec<Status>>
         };
         if map.is_unreadable() {
             writeln!(out, "    {UNREADABLE}")?;
+        }
+        let daemon = map.daemon.as_ref();
+        if let Some(reason) = daemon.and_then(|daemon| daemon.without_subscribers.as_ref()) {
+            writeln!(out, "    without subscribers, who need that name: {reason}")?;
         }
         if let Some(staged) = &state.staged {
             writeln!(out, "    staged: generation {}, {}", staged.generation, size(staged.bytes))?;

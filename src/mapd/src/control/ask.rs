@@ -119,7 +119,7 @@ pub fn ask(
 }
 
 fn exchange(domain: &Domain, map: &str, request: &Request, wait: Duration) -> io::Result<Response> {
-    let mut stream = connect_until(&socket_path(domain, map), after(wait))?;
+    let mut stream = connect_until(domain, &socket_path(domain, map), after(wait))?;
     // A timeout of zero would be refused.
     let wait = Some(wait.max(Duration::from_millis(1)));
     stream.set_read_timeout(wait)?;

@@ -2,7 +2,7 @@
 
 use super::status::{CacheStatus, DaemonStatus, MapState};
 use crate::clock::unix_ns;
-use mapd_client::Domain;
+use mapd_client::{Attach, Domain};
 use mapd_transport::count_subscriptions;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -28,6 +28,7 @@ impl Board {
             started_unix_ns: unix_ns(),
             uptime_seconds: 0.0,
             cache,
+            without_subscribers: None,
             maps: Vec::new(),
         };
         Self { started: Instant::now(), domain: domain.clone(), status: Mutex::new(status) }
@@ -45,7 +46,7 @@ impl Board {
         let mut status = self.status();
         let begun = Instant::now();
         for map in &mut status.maps {
-            if begun.elapsed() > COUNTING {
+            if begun.elapsed() > COUNTING || status.without_subscribers.is_some() {
                 break;
             }
             map.subscribers = count_subscriptions(&self.domain, &map.name);
@@ -71,6 +72,19 @@ impl Board {
                 generation.as_ref().map_or(0, |g: &super::GenerationStatus| g.bytes)
             };
             map.memory_bytes = bytes(&map.served) + bytes(&map.staged);
+        }
+    }
+
+    /// Says why nobody can subscribe.
+    pub fn without_subscribers(&self, reason: String) {
+        self.lock().without_subscribers = Some(reason);
+    }
+
+    /// How the daemon looks at what it serves: as its most demanding clients do.
+    pub(crate) fn attach(&self) -> Attach {
+        match self.lock().without_subscribers {
+            Some(_) => Attach::Observer,
+            None => Attach::Subscriber,
         }
     }
 

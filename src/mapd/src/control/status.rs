@@ -22,6 +22,9 @@ pub struct DaemonStatus {
     pub uptime_seconds: f64,
     /// Where compiled archives are kept; `None` without a cache.
     pub cache: Option<CacheStatus>,
+    /// Why nobody can subscribe, and only observers are served: what another user has under a name that subscribers need; `None` as a rule.
+    #[serde(default)]
+    pub without_subscribers: Option<String>,
     /// The maps, by name.
     pub maps: Vec<MapState>,
 }

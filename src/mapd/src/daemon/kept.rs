@@ -8,7 +8,7 @@ use crate::trust::NotSignable;
 use anyhow::{Result, bail};
 use mapd_client::TrustedKey;
 use mapd_overlay::{Document, Entry, Limits, Unplaced};
-use mapd_transport::read_regular;
+use mapd_transport::read_owned;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::io;
@@ -107,7 +107,7 @@ impl Kept {
         trust: Option<&TrustedKey>,
         are_proposals_taken: bool,
     ) -> Result<Self> {
-        let text = match read_regular(path, longest) {
+        let text = match read_owned(path, rustix::process::geteuid().as_raw(), longest) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Self::default()),
             text => text?,
         };

@@ -144,6 +144,9 @@ pub(crate) fn run(
         }
     };
     let board = Arc::new(Board::new(&domain, preparer.cache.as_ref().map(CacheStatus::of)));
+    if let Some(in_the_way) = server.without_subscribers() {
+        board.without_subscribers(in_the_way.to_string());
+    }
     let names: Vec<String> = maps.iter().map(|map| map.name.clone()).collect();
     let mut state = Maps::new(server, overlays, board.clone(), preparer.clone(), watched.clone());
     match state.begin_all(ready) {

@@ -8,7 +8,7 @@ use super::periodic::{Periodic, Stop};
 use super::rounds::{Maps, Surroundings};
 use super::self_query::{Answered, SelfQueryError, ask};
 use crate::control::Board;
-use mapd_client::Domain;
+use mapd_client::{Attach, Domain};
 use sd_notify::NotifyState;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -24,15 +24,19 @@ pub(super) fn start(
     stop: &Arc<Stop>,
 ) -> Periodic {
     let mut maps = Maps::new(board, maps);
-    let domain = domain.clone();
+    let (domain, attach) = (domain.clone(), board.attach());
+    let without_subscribers = board.status().without_subscribers;
     Periodic::spawn("attendant", stop, move |stop| {
-        let served = Served { domain, stop };
+        let served = Served { domain, attach, stop };
         while !maps.have_all_answered(&served) {
             if stop.sleep(PAUSE) {
                 return;
             }
         }
-        let status = format!("serving {}", maps.names());
+        let status = match without_subscribers {
+            Some(reason) => format!("serving {}, without subscribers: {reason}", maps.names()),
+            None => format!("serving {}", maps.names()),
+        };
         tell(&[NotifyState::Ready, NotifyState::Status(&status)]);
         tracing::debug!("ready: every map has answered a self-query");
         let Some(interval) = sd_notify::watchdog_enabled() else { return };
@@ -59,12 +63,13 @@ fn tell(states: &[NotifyState<'_>]) {
 /// The maps as they are served.
 struct Served<'a> {
     domain: Domain,
+    attach: Attach,
     stop: &'a Stop,
 }
 
 impl Surroundings for Served<'_> {
     fn ask(&self, map: &str, before: u64, wait: Duration) -> Result<Answered, SelfQueryError> {
-        ask(&self.domain, map, before, wait)
+        ask(self.attach, &self.domain, map, before, wait)
     }
 
     fn now(&self) -> Instant {

@@ -111,6 +111,10 @@ pub(crate) fn notice(notice: &Notice) {
     match notice {
         Notice::LockHeld { lock } => tracing::warn!(lock = %lock.display(), "{notice}"),
         Notice::Removed { file } => tracing::info!(file = %file.display(), "{notice}"),
+        Notice::Foreign { file } | Notice::WithoutSubscribers { file } => {
+            tracing::warn!(file = %file.path.display(), owner = file.owner, "{notice}")
+        }
+        Notice::MoreForeign { count } => tracing::warn!(count, "{notice}"),
         Notice::CleanedUp { nodes } => tracing::info!(nodes, "{notice}"),
         Notice::CleanUpFailed { nodes } => tracing::warn!(nodes, "{notice}"),
         Notice::Unconnected { map, error } => tracing::warn!(%map, %error, "{notice}"),

@@ -94,6 +94,12 @@ pub(crate) fn text(status: &DaemonStatus) -> Result<String, std::fmt::Error> {
         registry.register(name, help, gauge);
     };
     alone(&mut registry, "uptime_seconds", "Time since the daemon started", status.uptime_seconds);
+    alone(
+        &mut registry,
+        "serves_subscribers",
+        "0 while another user holds a name that subscribers need, else 1",
+        f64::from(status.without_subscribers.is_none()),
+    );
     if let Some(free) = free_bytes() {
         alone(
             &mut registry,
@@ -166,6 +172,7 @@ mod tests {
             "mapd_checks_total{map=\"a\",check=\"scrub\",result=\"failed\"} 1",
             "mapd_check_seconds{map=\"a\",check=\"scrub\",result=\"ok\"} 0.25",
             "mapd_map_clients{map=\"a\"} 2.0",
+            "mapd_serves_subscribers 1.0",
             "# EOF",
         ] {
             assert!(text.lines().any(|l| l == line), "{line} is missing in\n{text}");

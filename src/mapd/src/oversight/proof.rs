@@ -4,7 +4,7 @@ use crate::control::{Board, GenerationStatus};
 use crate::report::hex;
 use crate::serve::reserving;
 use mapd_archive::{LAYOUT_ID, verify};
-use mapd_client::AttachError;
+use mapd_client::{Attach, AttachError};
 use mapd_transport::{Domain, GenerationInfo, Observer, Pinned, Subscription};
 use std::time::{Duration, Instant};
 
@@ -33,7 +33,7 @@ pub(crate) enum Proof {
 }
 
 /// Proves what a map's readers see, through mappings like theirs: what is said about the generation, its header, its hash
-/// and every row, as subscribers have it; and that observers, who find it by its record, have the same. The serving thread must connect new clients meanwhile.
+/// and every row, as subscribers have it, where there may be any; and that observers, who find it by its record, have the same. The serving thread must connect new clients meanwhile.
 pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
     let (mut found, mut named) = (None, None);
     for attempt in 0..ATTEMPTS {
@@ -53,10 +53,16 @@ pub(crate) fn prove(domain: &Domain, board: &Board, map: &str) -> Proof {
                 return Proof::Damaged { generation: named, reason };
             }
         };
-        let attached =
-            reserving(|| Subscription::connect_in_reserve(domain, map, Instant::now() + WAIT));
+        let attached = match board.attach() {
+            Attach::Subscriber => {
+                let until = Instant::now() + WAIT;
+                reserving(|| Subscription::connect_in_reserve(domain, map, until))
+                    .map(|subscription| subscription.current())
+            }
+            _ => Ok(observed.clone()),
+        };
         let pinned = match attached {
-            Ok(subscription) => subscription.current(),
+            Ok(pinned) => pinned,
             Err(error) if says_nothing(&error) => return Proof::NotExamined(error.to_string()),
             // Nothing stands in the way but what is in memory.
             Err(error) => {

@@ -2,7 +2,7 @@
 
 use crate::serve::reserving;
 use mapd_client::compiling::ByRow as _;
-use mapd_client::{AttachError, Client, ClientError, NearestOptions, QueryError};
+use mapd_client::{Attach, AttachError, Client, ClientError, NearestOptions, QueryError};
 use mapd_transport::Domain;
 use std::time::{Duration, Instant};
 use thiserror::Error;
@@ -73,10 +73,11 @@ pub(crate) struct Answered {
     pub(crate) taken: Duration,
 }
 
-/// Attaches anew, within `wait`, asks for the lane at a point of the map's middle lane, and detaches.
+/// Attaches anew in this way, within `wait`, asks for the lane at a point of the map's middle lane, and detaches.
 ///
 /// Errors: what a client would meet; a generation older than `before`.
 pub(crate) fn ask(
+    attach: Attach,
     domain: &Domain,
     map: &str,
     before: u64,
@@ -84,7 +85,10 @@ pub(crate) fn ask(
 ) -> Result<Answered, SelfQueryError> {
     let start = Instant::now();
     // What the client makes must not end the daemon by SIGBUS, should shared memory be filled up at this moment.
-    let client = reserving(|| Client::connect_in_reserve(domain, map, wait))?;
+    let client = match attach {
+        Attach::Subscriber => reserving(|| Client::connect_in_reserve(domain, map, wait))?,
+        _ => Client::connect_as(attach, domain, map, wait)?,
+    };
     let snapshot = client.snapshot();
     let view = snapshot.map();
     let middle = u32::try_from(view.tables().lanes.len() / 2).unwrap_or(0);

@@ -3,17 +3,26 @@
 use super::generations::ONLY_HERE_SUFFIX;
 use super::nodes;
 use super::notice::Notice;
+use super::strangers::Strangers;
 use iceoryx2::prelude::Node;
 use mapd_transport::{
     AttachGuard, Domain, GENERATION_SUFFIX, RECORD_SUFFIX, SHARED_MEMORY_FOLDER, TransportService,
-    unfinished_segments,
+    domain_files, is_ours,
 };
 use std::fs;
+use std::os::unix::fs::MetadataExt;
 use std::path::Path;
 
-/// Removes unfinished segments. Under the exclusive attach lock no process creates any.
-pub(crate) fn sweep(domain: &Domain, _exclusive: &AttachGuard, notify: &dyn Fn(&Notice)) {
-    for file in unfinished_segments(domain) {
+/// Removes unfinished segments. Under the exclusive attach lock no process creates any. Tells of files of other users.
+pub(crate) fn sweep(
+    domain: &Domain,
+    _exclusive: &AttachGuard,
+    notify: &dyn Fn(&Notice),
+    strangers: &mut Strangers,
+) {
+    let found = domain_files(domain);
+    strangers.tell(&found, notify);
+    for file in found.unfinished {
         match fs::remove_file(&file) {
             Ok(()) => notify(&Notice::Removed { file }),
             Err(error) => {
@@ -26,15 +35,17 @@ pub(crate) fn sweep(domain: &Domain, _exclusive: &AttachGuard, notify: &dyn Fn(&
     }
 }
 
-/// Sweeps, then has iceoryx2 release what killed processes held: places, queues, borrowed samples. In this order: it
+/// Sweeps, then has iceoryx2, if there is a node, release what killed processes held: places, queues, borrowed samples. In this order: it
 /// would wait for an unfinished segment without end.
 pub(crate) fn clean(
     domain: &Domain,
-    node: &Node<TransportService>,
+    node: Option<&Node<TransportService>>,
     exclusive: &AttachGuard,
     notify: &dyn Fn(&Notice),
+    strangers: &mut Strangers,
 ) {
-    sweep(domain, exclusive, notify);
+    sweep(domain, exclusive, notify, strangers);
+    let Some(node) = node else { return };
     nodes::purge(domain, node.config(), exclusive);
     let done = node.try_cleanup_dead_nodes();
     if done.cleanups > 0 {
@@ -46,7 +57,7 @@ pub(crate) fn clean(
     }
 }
 
-/// Removes every file of a domain without processes, so that leftovers of killed processes cannot get in the way. Keeps the
+/// Removes every file of this user's in a domain without processes, so that leftovers of killed processes cannot get in the way. Keeps the
 /// domain's lock files, the generation numbers, and the records, on which observers may wait. Under the exclusive attach lock no
 /// process enters the domain.
 pub(crate) fn wipe(domain: &Domain, exclusive: &AttachGuard) {
@@ -67,8 +78,10 @@ pub(crate) fn wipe_all(domain: &Domain, kept: &[String], exclusive: &AttachGuard
 fn wipe_but(domain: &Domain, _exclusive: &AttachGuard, is_kept: impl Fn(&str) -> bool) {
     // What cannot be removed is swept, reused or tried again by the next daemon.
     for entry in entries(Path::new(SHARED_MEMORY_FOLDER)) {
-        let ours = entry.file_name().to_str().is_some_and(|name| name.starts_with(domain.prefix()));
-        if ours && entry.file_type().is_ok_and(|kind| kind.is_file()) {
+        let is_named = |name: &str| name.starts_with(domain.prefix());
+        // Of this very entry: root could remove another user's, too.
+        let is_own = |file: fs::Metadata| file.is_file() && is_ours(file.uid());
+        if entry.file_name().to_str().is_some_and(is_named) && entry.metadata().is_ok_and(is_own) {
             let _ = fs::remove_file(entry.path());
         }
     }

@@ -53,8 +53,9 @@ pub(crate) fn greet_until(
     let mut bells = Vec::new();
     // Where nothing is served yet, there is nothing to greet with; a client that rings meanwhile gets the map when it is first sent.
     for (name, ports) in maps.iter().filter(|(_, ports)| ports.info().is_some()) {
+        let Some(subscribing) = &ports.subscribing else { continue };
         let bell = waits
-            .attach_notification(&ports.woken)
+            .attach_notification(&subscribing.woken)
             .map_err(ServeError::iceoryx("waiting for clients"))?;
         bells.push((bell, name, ports));
     }

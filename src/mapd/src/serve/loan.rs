@@ -4,8 +4,10 @@
 use super::error::ServeError;
 use iceoryx2::sample_mut::SampleMut;
 use iceoryx2::sample_mut_uninit::SampleMutUninit;
-use mapd_transport::{Chunk64, GenerationInfo, TransportService};
+use mapd_transport::{Chunk64, GenerationInfo, SHARED_MEMORY_FOLDER, TransportService};
+use memmap2::MmapOptions;
 use std::error::Error;
+use std::fs::File;
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::mem::MaybeUninit;
 
@@ -29,14 +31,17 @@ pub(crate) type Filled = SampleMut<TransportService, [Chunk64], GenerationInfo>;
 /// Bytes that are written to find out where a loan lies in its segment.
 pub(crate) type Mark = [u8; size_of::<Chunk64>()];
 
+/// Words that nobody can foresee: hashers of the standard library are seeded at random, each has another seed.
+pub(crate) fn random_words<const N: usize>() -> [u64; N] {
+    std::array::from_fn(|_| RandomState::new().build_hasher().finish())
+}
+
 /// Writes a mark, unlike anything that the segment holds, at the loan's beginning, and has `find` look for it through the file: iceoryx2 does not
 /// tell where in a segment a sample lies. [`fill_loan`] overwrites it.
 ///
 /// Errors: those of `find`.
 pub(crate) fn locate_loan<T>(loan: &mut Loan, find: impl FnOnce(&Mark) -> T) -> Option<T> {
-    // Hashers of the standard library are seeded at random; each has another seed.
-    let word = |_| RandomState::new().build_hasher().finish();
-    let words: [u64; size_of::<Mark>() / size_of::<u64>()] = std::array::from_fn(word);
+    let words: [u64; size_of::<Mark>() / size_of::<u64>()] = random_words();
     let mut mark = [0; size_of::<Mark>()];
     for (bytes, word) in mark.chunks_exact_mut(size_of::<u64>()).zip(words) {
         bytes.copy_from_slice(&word.to_ne_bytes());
@@ -76,4 +81,23 @@ pub(crate) fn fill_loan(
     *loan.user_header_mut() = header(meta)?;
     // SAFETY: all of the payload was written above, and any bytes are a valid `Chunk64`.
     Ok(unsafe { loan.assume_init() })
+}
+
+/// Has `fill` write a new file of `length` bytes, all of them zero and all pages there; what `header` makes of it. Nobody knows the file's name yet.
+///
+/// Errors: the file cannot be mapped; `fill` fails; `header` fails.
+pub(crate) fn fill_file(
+    map: &str,
+    file: &File,
+    length: usize,
+    fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+    header: impl FnOnce(PublishMeta) -> Result<GenerationInfo, ServeError>,
+) -> Result<GenerationInfo, ServeError> {
+    // SAFETY: the file was made by this process, under a name that was not there, for its user alone, and is not in any record yet: nobody else opens it, and it keeps
+    // its length. The mapping ends with this function.
+    let mut mapping = unsafe { MmapOptions::new().len(length).map_mut(file) }
+        .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
+    let meta =
+        fill(&mut mapping).map_err(|source| ServeError::Fill { map: map.to_owned(), source })?;
+    header(meta)
 }

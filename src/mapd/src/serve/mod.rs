@@ -8,7 +8,7 @@
 //! Invariants: a generation number never repeats; a fill that fails leaves nothing
 //! behind; memory is reserved before it is written, so that too little of it is an error and no signal; segments are
 //! created and dead processes cleaned up only under the attach lock; a server that is dropped leaves nothing in shared
-//! memory but what living clients hold. Nothing is printed: what happens meanwhile is told through
+//! memory but what living clients hold; nothing of another user is opened, removed or changed (`mapd_transport`). Nothing is printed: what happens meanwhile is told through
 //! [`Server::start_with`].
 //!
 //! ```no_run
@@ -34,6 +34,7 @@ mod doorbell;
 mod error;
 mod generations;
 mod greeter;
+mod guard;
 mod held;
 mod lease;
 mod loan;
@@ -43,19 +44,21 @@ mod nodes;
 mod notice;
 mod orphans;
 mod overlays;
+mod own_segment;
 mod publishing;
 mod reserve;
-mod rights;
 mod segment;
 mod served_map;
 mod server;
 mod services;
 mod sharing;
 mod stop;
+mod strangers;
 
 pub(crate) use control_group::available as control_group_available;
 pub use doorbell::{Doorbell, Ringer};
 pub use error::ServeError;
+pub use guard::shm_open;
 pub use held::{HeldGeneration, HeldGenerations};
 pub use loan::PublishMeta;
 pub(crate) use memory::available as available_memory;
@@ -64,6 +67,5 @@ pub use notice::Notice;
 pub use overlays::OverlayBytes;
 pub use reserve::ftruncate;
 pub(crate) use reserve::reserving;
-pub(crate) use rights::NODE_COUNTER;
 pub use server::{ServedMap, Server};
 pub use stop::StopSignal;

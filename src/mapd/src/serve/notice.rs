@@ -1,5 +1,6 @@
 //! What an operator may want to know while the server runs.
 
+use mapd_transport::ForeignFile;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -17,6 +18,21 @@ pub enum Notice {
     Removed {
         /// The file.
         file: PathBuf,
+    },
+    /// Another user has put something there as if it were the domain's. It is no part of the domain. Told once.
+    Foreign {
+        /// What, and whose it is.
+        file: ForeignFile,
+    },
+    /// There is more of that than is told of. Told once.
+    MoreForeign {
+        /// How much there is in all.
+        count: usize,
+    },
+    /// Another user holds a name that subscribers need: the server serves observers alone.
+    WithoutSubscribers {
+        /// What has the name, and whose it is.
+        file: ForeignFile,
     },
     /// Killed processes were cleaned up after.
     CleanedUp {
@@ -57,6 +73,17 @@ impl fmt::Display for Notice {
             Self::Removed { file } => {
                 write!(f, "removed {}, left unfinished by a killed process", file.display())
             }
+            Self::Foreign { file } => write!(f, "{file}: not of this domain, ignored"),
+            Self::MoreForeign { count } => {
+                write!(
+                    f,
+                    "{count} files of other users are named as if they were of this domain: ignored"
+                )
+            }
+            Self::WithoutSubscribers { file } => write!(
+                f,
+                "without subscribers, who need that name: {file}; observers are served; for subscribers, have it removed and start the daemon again"
+            ),
             Self::CleanedUp { nodes } => write!(f, "cleaned up after {nodes} killed process(es)"),
             Self::CleanUpFailed { nodes } => {
                 write!(f, "could not clean up after {nodes} killed process(es) yet")

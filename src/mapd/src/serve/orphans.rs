@@ -8,10 +8,11 @@ use super::notice::Notice;
 use iceoryx2::prelude::{CallbackProgression, Node, PortFactory as _, Service, ServiceName};
 use iceoryx2::service::static_config::messaging_pattern::MessagingPattern;
 use mapd_transport::{
-    AttachGuard, Chunk64, Domain, GenerationInfo, SHARED_MEMORY_FOLDER, TransportService,
+    AttachGuard, Chunk64, Domain, GenerationInfo, SHARED_MEMORY_FOLDER, TransportService, is_ours,
 };
 use std::collections::BTreeSet;
 use std::fs;
+use std::os::unix::fs::MetadataExt;
 use std::path::Path;
 
 /// Ending of the file with a service's shared state. iceoryx2 names it prefix, hash of a type name, `_`, service, ending.
@@ -103,8 +104,9 @@ fn listeners(node: &Node<TransportService>, events: &[ServiceName]) -> Option<BT
 fn remove_where(folder: &Path, notify: &dyn Fn(&Notice), orphan: impl Fn(&str) -> bool) {
     for name in names(folder).filter(|name| orphan(name)) {
         let file = folder.join(name);
+        let is_own = fs::symlink_metadata(&file).is_ok_and(|file| is_ours(file.uid()));
         // What cannot be removed now is tried again by the next daemon.
-        if fs::remove_file(&file).is_ok() {
+        if is_own && fs::remove_file(&file).is_ok() {
             notify(&Notice::Removed { file });
         }
     }

@@ -2,14 +2,14 @@
 
 use super::error::ServeError;
 use super::greeter::greeting_meanwhile;
-use super::loan::{Filled, PublishMeta, fill_loan, locate_loan};
+use super::loan::{Filled, PublishMeta, fill_file, fill_loan, locate_loan};
 use super::locked::LockedPages;
 use super::memory;
 use super::notice::Notice;
 use super::overlays::{OverlayBytes, OverlayFile};
 use super::reserve::reserving;
 use super::segment::Segment;
-use super::served_map::{Current, MapPublisher};
+use super::served_map::{Current, Keeper, MapPublisher};
 use super::server::Server;
 use crate::clock::unix_ns;
 use mapd_transport::{
@@ -19,20 +19,20 @@ use mapd_transport::{
 use std::error::Error;
 use std::fs::File;
 use std::io;
+use std::os::unix::fs::FileExt;
 
 /// A generation that is filled and has not been sent. Fields are dropped in the order they are written; dropped under the
 /// attach lock.
 pub(crate) struct Staged {
-    sample: Filled,
-    place: SegmentLocation,
-    locked: Option<LockedPages>,
-    kept: Option<File>,
-    publisher: MapPublisher,
+    filled: FilledSegment,
+    keeper: Keeper,
 }
 
-/// A generation that is filled, without its publisher.
+/// A generation that is filled, without what its segment goes with.
 struct FilledSegment {
-    sample: Filled,
+    /// What subscribers get, if there may be any.
+    sample: Option<Filled>,
+    info: GenerationInfo,
     place: SegmentLocation,
     locked: Option<LockedPages>,
     kept: Option<File>,
@@ -41,7 +41,7 @@ struct FilledSegment {
 impl Staged {
     /// What is said about it.
     pub(crate) fn info(&self) -> &GenerationInfo {
-        self.sample.user_header()
+        &self.filled.info
     }
 }
 
@@ -150,7 +150,12 @@ impl Server {
     ///
     /// Errors: nothing is, or less than these.
     pub fn read_staged(&self, map: &str, bytes: &mut [u8]) -> io::Result<()> {
-        let chunks = self.staged.get(map).map_or(&[][..], |staged| staged.sample.payload());
+        let staged = self.staged.get(map);
+        if let Some(Staged { keeper: Keeper::Daemon(own), .. }) = staged {
+            return own.file().read_exact_at(bytes, 0);
+        }
+        let sample = staged.and_then(|staged| staged.filled.sample.as_ref());
+        let chunks = sample.map_or(&[][..], |sample| sample.payload());
         if size_of_val(chunks) < bytes.len() {
             return Err(io::ErrorKind::UnexpectedEof.into());
         }
@@ -196,22 +201,20 @@ impl Server {
         let Some(ports) = self.maps.get(map) else {
             return Err(ServeError::iceoryx("publishing")("map not claimed"));
         };
-        let publisher = {
+        let keeper = {
             let exclusive = self.exclusive();
             // Again, for what has been created since.
             memory::check(map, length as u64)?;
-            reserving(|| ports.create_publisher(chunks_for(length), exclusive.as_ref()))?
+            reserving(|| ports.create_keeper(&self.domain, length, exclusive.as_ref()))?
         };
         let filled =
-            greeting_meanwhile(&self.maps, &self.lock, || self.fill(map, length, &publisher, fill));
+            greeting_meanwhile(&self.maps, &self.lock, || self.fill(map, length, &keeper, fill));
         match filled {
-            Ok(FilledSegment { sample, place, locked, kept }) => {
-                Ok(Staged { sample, place, locked, kept, publisher })
-            }
+            Ok(filled) => Ok(Staged { filled, keeper }),
             Err(error) => {
                 let exclusive = self.exclusive();
                 // Unlinks the segment, under the lock.
-                drop(publisher);
+                drop(keeper);
                 drop(exclusive);
                 Err(error)
             }
@@ -223,29 +226,41 @@ impl Server {
         &self,
         map: &str,
         length: usize,
-        publisher: &MapPublisher,
+        keeper: &Keeper,
         fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
     ) -> Result<FilledSegment, ServeError> {
-        let segment = Segment::of(&self.domain, publisher, &self.segment_type)
-            .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
+        let io = || ServeError::io(SHARED_MEMORY_FOLDER);
+        let found;
+        let segment = match keeper {
+            Keeper::Publisher(publisher) => {
+                found = Segment::of(&self.domain, publisher, &self.segment_type).map_err(io())?;
+                &found
+            }
+            Keeper::Daemon(own) => own.segment(),
+        };
         segment.reserve().map_err(|error| memory::refused(map, length as u64, &error))?;
         let locked = self.lock_memory.then(|| segment.lock()).transpose();
         let locked = locked.map_err(|error| memory::not_locked(map, length as u64, &error))?;
-        let mut loan = publisher
-            .loan_slice_uninit(chunks_for(length))
-            .map_err(ServeError::iceoryx("loaning"))?;
-        let place = locate_loan(&mut loan, |mark| segment.place_of(mark))
-            .unwrap_or_else(|| Err(io::ErrorKind::UnexpectedEof.into()))
-            .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
-        let sample = fill_loan(map, loan, length, fill, |meta| {
+        let next = |meta| {
             let notify = |notice: &Notice| (self.notify)(notice);
             let generation = self.generations.next(&self.domain, map, &notify)?;
             Ok(info(generation, length, &meta))
-        })?;
+        };
+        let (sample, info, place) = match keeper {
+            Keeper::Publisher(publisher) => {
+                let (sample, place) = fill_sample(map, length, publisher, segment, fill, next)?;
+                let info = *sample.user_header();
+                (Some(sample), info, place)
+            }
+            Keeper::Daemon(own) => {
+                let info = fill_file(map, own.file(), length, fill, next)?;
+                (None, info, segment.whole().map_err(io())?)
+            }
+        };
         // Nothing has been written through it meanwhile, and nothing will be. It gives the group its right to read, too.
-        segment.protect(self.share).map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
+        segment.protect(self.share).map_err(io())?;
         // Without it, the readers of the generation cannot be counted later.
-        Ok(FilledSegment { sample, place, locked, kept: segment.keep().ok() })
+        Ok(FilledSegment { sample, info, place, locked, kept: segment.keep().ok() })
     }
 
     /// Serves a generation instead of the one before.
@@ -260,10 +275,13 @@ impl Server {
             overlay.map(|overlay| OverlayFile::write(&self.domain, map, overlay, self.share));
         let overlay = overlay.transpose().map_err(io)?;
         let exclusive = self.exclusive();
-        let Staged { mut sample, mut place, locked, kept, publisher } = staged;
+        let Staged { filled, keeper } = staged;
+        let FilledSegment { mut sample, mut info, mut place, locked, kept } = filled;
         place.overlay = overlay.as_ref().map(|file| file.place);
-        sample.user_header_mut().published_unix_ns = unix_ns();
-        let info = *sample.user_header();
+        info.published_unix_ns = unix_ns();
+        if let Some(sample) = &mut sample {
+            *sample.user_header_mut() = info;
+        }
         // Newcomers since it was made cost a queue each.
         memory::check_queue()?;
         let Some(ports) = self.maps.get_mut(map) else {
@@ -272,19 +290,36 @@ impl Server {
         // What can fail comes first; then subscribers have it, then observers; only then the segment before may go.
         let prepared =
             ports.record.prepare(&info, &place).map_err(ServeError::io(self.domain.root()))?;
-        reserving(|| sample.send()).map_err(ServeError::iceoryx("sending"))?;
+        if let Some(sample) = sample {
+            reserving(|| sample.send()).map_err(ServeError::iceoryx("sending"))?;
+        }
         ports.record.hold(prepared);
-        ports.replace(
-            Current { publisher, info, kept, place, overlay },
-            locked,
-            exclusive.as_ref(),
-        );
+        ports.replace(Current { keeper, info, kept, place, overlay }, locked, exclusive.as_ref());
         drop(exclusive);
         if let Some(ports) = self.maps.get(map) {
             self.tell_if_failed("announcing a generation", ports.announce());
         }
         Ok(info.generation)
     }
+}
+
+/// Loans a sample and has it filled; it, and where it lies in its publisher's segment.
+///
+/// Errors: iceoryx2 refuses; it is not found there; `fill` or `header` fails.
+fn fill_sample(
+    map: &str,
+    length: usize,
+    publisher: &MapPublisher,
+    segment: &Segment,
+    fill: impl FnOnce(&mut [u8]) -> Result<PublishMeta, Box<dyn Error + Send + Sync>>,
+    header: impl FnOnce(PublishMeta) -> Result<GenerationInfo, ServeError>,
+) -> Result<(Filled, SegmentLocation), ServeError> {
+    let mut loan =
+        publisher.loan_slice_uninit(chunks_for(length)).map_err(ServeError::iceoryx("loaning"))?;
+    let place = locate_loan(&mut loan, |mark| segment.place_of(mark))
+        .unwrap_or_else(|| Err(io::ErrorKind::UnexpectedEof.into()))
+        .map_err(ServeError::io(SHARED_MEMORY_FOLDER))?;
+    Ok((fill_loan(map, loan, length, fill, header)?, place))
 }
 
 fn info(generation: u64, length: usize, meta: &PublishMeta) -> GenerationInfo {

@@ -3,13 +3,15 @@
 use super::loan::Mark;
 use super::locked::LockedPages;
 use super::served_map::MapPublisher;
-use mapd_transport::{Domain, SHARED_MEMORY_FOLDER, SegmentLocation, Share};
-use rustix::fs::FallocateFlags;
+use mapd_transport::{
+    Domain, SHARED_MEMORY_FOLDER, SegmentLocation, Share, Untrusted, open_guarded, open_owned,
+};
+use rustix::fs::{FallocateFlags, Mode, OFlags};
 use std::cell::OnceCell;
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io;
 use std::os::unix::fs::{FileExt, MetadataExt};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The hash of a type name that iceoryx2 puts into the names of data segments, once one has been found: it is the same for
 /// all publishers of maps.
@@ -18,7 +20,7 @@ pub(crate) type SegmentType = OnceCell<String>;
 /// How far into a segment its one sample may begin; iceoryx2 0.10 has it begin at 384 \[bytes\].
 const SEARCHED: usize = 64 << 10;
 
-/// The data segment of a publisher.
+/// The data segment of a publisher, or one that the daemon has made for observers alone.
 pub(crate) struct Segment {
     file: File,
     name: String,
@@ -26,7 +28,7 @@ pub(crate) struct Segment {
 
 impl Segment {
     /// Finds it. iceoryx2 names it prefix, hash of a type name, `_`, publisher, `.data`. Only where the hash is not `known`
-    /// is the folder searched, which takes as long as there are files of all maps.
+    /// is the folder searched, which takes as long as there are files of all maps. Another user may have made one that is named alike: it is passed over.
     ///
     /// Errors: there is none, or the system refuses.
     pub(crate) fn of(
@@ -35,15 +37,15 @@ impl Segment {
         known: &SegmentType,
     ) -> io::Result<Self> {
         let suffix = format!("_{}.data", publisher.id().value());
-        let open = |kind: &str| -> io::Result<Self> {
+        let us = rustix::process::geteuid().as_raw();
+        let open = |kind: &str| -> Result<Self, Untrusted> {
             let name = format!("{}{kind}{suffix}", domain.prefix());
-            let path = Path::new(SHARED_MEMORY_FOLDER).join(&name);
-            let file = OpenOptions::new().read(true).write(true).open(path)?;
-            Ok(Self { file, name })
+            let (file, _) = open_guarded(&path_of(&name), OFlags::RDWR, Mode::empty(), us)?;
+            Ok(Self { file: file.into(), name })
         };
         match known.get().map(|kind| open(kind)) {
-            Some(Err(error)) if error.kind() == io::ErrorKind::NotFound => {}
-            Some(other) => return other,
+            Some(Err(Untrusted::Io(error))) if error.kind() == io::ErrorKind::NotFound => {}
+            Some(other) => return Ok(other?),
             None => {}
         }
         for entry in std::fs::read_dir(SHARED_MEMORY_FOLDER)? {
@@ -51,17 +53,50 @@ impl Segment {
             let middle = |name: &str| {
                 name.strip_prefix(domain.prefix())?.strip_suffix(&suffix).map(str::to_owned)
             };
-            if let Some(kind) = name.to_str().and_then(middle) {
-                let segment = open(&kind);
-                // Set already only if iceoryx2 has changed its mind, and then searched for each time.
-                let _ = known.set(kind);
-                return segment;
+            let Some(kind) = name.to_str().and_then(middle) else { continue };
+            match open(&kind) {
+                Err(Untrusted::OtherOwner(_)) => {}
+                segment => {
+                    // Set already only if iceoryx2 has changed its mind, and then searched for each time.
+                    let _ = known.set(kind);
+                    return Ok(segment?);
+                }
             }
         }
         Err(io::Error::new(
             io::ErrorKind::NotFound,
             format!("no data segment {}*{suffix}", domain.prefix()),
         ))
+    }
+
+    /// A segment of this name, of so many bytes, which must not be there.
+    ///
+    /// Errors: what the system says.
+    pub(super) fn create(name: String, length: u64) -> io::Result<Self> {
+        let access = OFlags::RDWR | OFlags::CREATE | OFlags::EXCL;
+        let us = rustix::process::geteuid().as_raw();
+        let (file, _) = open_guarded(&path_of(&name), access, Mode::RUSR | Mode::WUSR, us)?;
+        let segment = Self { file: file.into(), name };
+        segment.file.set_len(length)?;
+        Ok(segment)
+    }
+
+    /// Its file, open for reading and writing.
+    pub(super) fn file(&self) -> &File {
+        &self.file
+    }
+
+    /// Where it is.
+    pub(super) fn path(&self) -> PathBuf {
+        path_of(&self.name)
+    }
+
+    /// The place of bytes that begin where it does.
+    ///
+    /// Errors: what the system says.
+    pub(super) fn whole(&self) -> io::Result<SegmentLocation> {
+        let inode = self.file.metadata()?.ino();
+        Ok(SegmentLocation { segment: self.name.clone(), inode, offset: 0, overlay: None })
     }
 
     /// Where a sample lies that begins with this mark.
@@ -114,7 +149,7 @@ impl Segment {
     ///
     /// Errors: what the system says.
     pub(crate) fn keep(&self) -> io::Result<File> {
-        File::open(Path::new(SHARED_MEMORY_FOLDER).join(&self.name))
+        open_owned(&self.path(), rustix::process::geteuid().as_raw())
     }
 
     /// Makes it read-only for good, for the group that the daemon shares with. Existing mappings stay what they are; iceoryx2 maps readers read-only anyway, but
@@ -124,4 +159,8 @@ impl Segment {
     pub(crate) fn protect(&self, share: Share) -> io::Result<()> {
         share.finished(&self.file)
     }
+}
+
+fn path_of(name: &str) -> PathBuf {
+    Path::new(SHARED_MEMORY_FOLDER).join(name)
 }

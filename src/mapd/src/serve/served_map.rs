@@ -6,6 +6,7 @@ use super::locked::LockedPages;
 use super::memory;
 use super::notice::Notice;
 use super::overlays::{OverlayFile, remove_left};
+use super::own_segment::OwnSegment;
 use super::reserve::reserving;
 use super::services::MapServices;
 use iceoryx2::port::listener::Listener;
@@ -14,17 +15,25 @@ use iceoryx2::port::publisher::Publisher;
 use iceoryx2::port::update_connections::UpdateConnections;
 use iceoryx2::prelude::{AllocationStrategy, Node};
 use mapd_transport::{
-    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, SegmentLocation, Share,
-    TransportService,
+    AttachGuard, Chunk64, Claim, Domain, GenerationInfo, RecordWriter, SHARED_MEMORY_FOLDER,
+    SegmentLocation, Share, TransportService, chunks_for,
 };
 use std::fs::File;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 pub(crate) type MapPublisher = Publisher<TransportService, [Chunk64], GenerationInfo>;
 
+/// What a generation's segment goes with.
+pub(crate) enum Keeper {
+    /// The publisher that has sent it, or will.
+    Publisher(MapPublisher),
+    /// Nobody subscribes.
+    Daemon(OwnSegment),
+}
+
 /// What is served.
 pub(crate) struct Current {
-    pub(crate) publisher: MapPublisher,
+    pub(crate) keeper: Keeper,
     pub(crate) info: GenerationInfo,
     /// To look after its segment once it is not served any more.
     pub(crate) kept: Option<File>,
@@ -48,75 +57,42 @@ pub(crate) struct MapPorts {
     dropped: Mutex<Vec<Dropped>>,
     /// Pages of the current generation, where they are to stay in memory.
     locked: Option<LockedPages>,
-    pub(crate) woken: Listener<TransportService>,
-    changed: Notifier<TransportService>,
-    services: MapServices,
+    /// What subscribers meet; none where there are none.
+    pub(crate) subscribing: Option<Subscribing>,
     /// Where observers look.
     pub(crate) record: RecordWriter,
     claim: Claim,
 }
 
-impl MapPorts {
-    /// Opens or creates the services of a claimed map. Opens those that clients of a killed daemon still hold.
+/// What a map's subscribers meet. Fields are dropped in the order they are written.
+pub(crate) struct Subscribing {
+    pub(crate) woken: Listener<TransportService>,
+    changed: Notifier<TransportService>,
+    services: MapServices,
+}
+
+impl Subscribing {
+    /// Opens or creates the services of a claimed map, and what the daemon needs of them.
     ///
-    /// Errors: iceoryx2 refuses; the claim is given up.
-    pub(crate) fn create(
-        of: &MapOf<'_>,
+    /// Errors: iceoryx2 refuses.
+    fn open(
+        domain: &Domain,
+        map: &str,
         node: &Node<TransportService>,
-        claim: Claim,
         exclusive: Option<&AttachGuard>,
     ) -> Result<Self, ServeError> {
-        let MapOf { domain, map, share } = of;
-        remove_left(domain, map);
-        let record = match RecordWriter::open(domain, map, *share) {
-            Ok(record) => record,
-            Err(error) => {
-                claim.release();
-                return Err(ServeError::io(domain.root())(error));
-            }
-        };
-        let ports =
-            MapServices::open_or_create(domain, node, map, exclusive).and_then(|services| {
-                let woken = services
-                    .wake
-                    .listener_builder()
-                    .create()
-                    .map_err(ServeError::iceoryx("creating a listener"))?;
-                let changed = services
-                    .changed
-                    .notifier_builder()
-                    .create()
-                    .map_err(ServeError::iceoryx("creating a notifier"))?;
-                Ok((services, woken, changed))
-            });
-        match ports {
-            Ok((services, woken, changed)) => Ok(Self {
-                current: None,
-                dropped: Mutex::default(),
-                locked: None,
-                woken,
-                changed,
-                services,
-                record,
-                claim,
-            }),
-            Err(error) => {
-                // It has served nothing; what cannot be removed is the next daemon's.
-                let _ = record.close();
-                claim.release();
-                Err(error)
-            }
-        }
+        let services = MapServices::open_or_create(domain, node, map, exclusive)?;
+        let woken = services.wake.listener_builder().create();
+        let woken = woken.map_err(ServeError::iceoryx("creating a listener"))?;
+        let changed = services.changed.notifier_builder().create();
+        let changed = changed.map_err(ServeError::iceoryx("creating a notifier"))?;
+        Ok(Self { woken, changed, services })
     }
 
     /// A publisher for one sample of exactly `chunks` chunks. Connects to every subscriber, but sends nothing.
     ///
     /// Errors: iceoryx2 refuses.
-    pub(crate) fn create_publisher(
-        &self,
-        chunks: usize,
-        _exclusive: Option<&AttachGuard>,
-    ) -> Result<MapPublisher, ServeError> {
+    fn create_publisher(&self, chunks: usize) -> Result<MapPublisher, ServeError> {
         self.services
             .map
             .publisher_builder()
@@ -129,8 +105,66 @@ impl MapPorts {
             .create()
             .map_err(ServeError::iceoryx("creating a publisher"))
     }
+}
 
-    /// Makes a publisher whose sample was sent the current one and drops the one before: readers keep what they hold.
+impl MapPorts {
+    /// Opens or creates the services of a claimed map, if there is a node. Opens those that clients of a killed daemon still hold.
+    ///
+    /// Errors: iceoryx2 refuses; the claim is given up.
+    pub(crate) fn create(
+        of: &MapOf<'_>,
+        node: Option<&Node<TransportService>>,
+        claim: Claim,
+        exclusive: Option<&AttachGuard>,
+    ) -> Result<Self, ServeError> {
+        let MapOf { domain, map, share } = of;
+        remove_left(domain, map);
+        let record = match RecordWriter::open(domain, map, *share) {
+            Ok(record) => record,
+            Err(error) => {
+                claim.release();
+                return Err(ServeError::io(domain.root())(error));
+            }
+        };
+        let subscribing = node.map(|node| Subscribing::open(domain, map, node, exclusive));
+        match subscribing.transpose() {
+            Ok(subscribing) => Ok(Self {
+                current: None,
+                dropped: Mutex::default(),
+                locked: None,
+                subscribing,
+                record,
+                claim,
+            }),
+            Err(error) => {
+                // It has served nothing; what cannot be removed is the next daemon's.
+                let _ = record.close();
+                claim.release();
+                Err(error)
+            }
+        }
+    }
+
+    /// What the segment of a generation of so many bytes is to go with. Sends nothing.
+    ///
+    /// Errors: iceoryx2, or the system, refuses.
+    pub(crate) fn create_keeper(
+        &self,
+        domain: &Domain,
+        length: usize,
+        exclusive: Option<&AttachGuard>,
+    ) -> Result<Keeper, ServeError> {
+        match &self.subscribing {
+            Some(subscribing) => {
+                subscribing.create_publisher(chunks_for(length)).map(Keeper::Publisher)
+            }
+            None => OwnSegment::create(domain, length, exclusive)
+                .map(Keeper::Daemon)
+                .map_err(ServeError::io(SHARED_MEMORY_FOLDER)),
+        }
+    }
+
+    /// Makes a generation that was sent the current one and drops the one before: readers keep what they hold.
     pub(crate) fn replace(
         &mut self,
         current: Current,
@@ -139,7 +173,7 @@ impl MapPorts {
     ) {
         let before = self.current.replace(current);
         self.locked = locked;
-        // Its publisher goes here.
+        // Its segment's name goes here.
         let dropped = before.and_then(|Current { info, kept, .. }| Some((kept?, info.generation)));
         if let Some((kept, generation)) = dropped
             && self.dropped().len() < MOST
@@ -187,7 +221,14 @@ impl MapPorts {
     ///
     /// Errors: iceoryx2 refuses; clients that wait poll from time to time.
     pub(crate) fn announce(&self) -> Result<(), ServeError> {
-        self.changed.notify().map(|_| ()).map_err(ServeError::iceoryx("announcing a generation"))
+        match &self.subscribing {
+            Some(subscribing) => subscribing
+                .changed
+                .notify()
+                .map(|_| ())
+                .map_err(ServeError::iceoryx("announcing a generation")),
+            None => Ok(()),
+        }
     }
 
     /// What is served.
@@ -197,13 +238,17 @@ impl MapPorts {
 
     /// Takes the wake-ups that have come, so that the next one is seen.
     pub(crate) fn take_wake_ups(&self) {
-        // Fails only when interrupted by a signal; then the wait set reports the same wake-up again.
-        let _ = self.woken.try_wait(|_| {});
+        if let Some(subscribing) = &self.subscribing {
+            // Fails only when interrupted by a signal; then the wait set reports the same wake-up again.
+            let _ = subscribing.woken.try_wait(|_| {});
+        }
     }
 
     /// Gives the generation to newcomers.
     pub(crate) fn greet(&self, map: &str, notify: &dyn Fn(&Notice)) {
-        let Some(Current { publisher, .. }) = &self.current else { return };
+        let Some(Current { keeper: Keeper::Publisher(publisher), .. }) = &self.current else {
+            return;
+        };
         // A newcomer costs a queue.
         let greeted = memory::check_queue().map_err(|error| error.to_string()).and_then(|()| {
             reserving(|| publisher.update_connections()).map_err(|error| format!("{error:?}"))
@@ -217,9 +262,9 @@ impl MapPorts {
     ///
     /// Errors: the record cannot be removed; it says that nothing is served.
     pub(crate) fn close(self) -> std::io::Result<()> {
-        let Self { current, dropped, locked, woken, changed, services, record, claim } = self;
+        let Self { current, dropped, locked, subscribing, record, claim } = self;
         let closed = record.close();
-        drop((current, dropped, locked, woken, changed, services));
+        drop((current, dropped, locked, subscribing));
         claim.release();
         closed
     }

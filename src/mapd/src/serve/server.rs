@@ -8,20 +8,21 @@ use super::greeter::{GreetUntil, greet_until, greeting_meanwhile};
 use super::memory;
 use super::notice::Notice;
 use super::orphans;
+use super::own_segment;
 use super::publishing::Staged;
 use super::reserve::reserving;
-use super::rights;
 use super::segment::SegmentType;
 use super::served_map::{MapOf, MapPorts};
 use super::sharing::check_owner_is_us;
 use super::stop::StopSignal;
+use super::strangers::Strangers;
 use iceoryx2::prelude::{Node, NodeBuilder, NodeName, SignalHandlingMode};
 use mapd_transport::{
-    AttachGuard, AttachLock, Claim, DAEMON_NODE, Domain, GenerationInfo, Presence, Share, Sharing,
-    TransportService, check_map_name, check_owner, iceoryx2_config, remove_staged,
-    silence_iceoryx2, unfinished_segments,
+    AttachGuard, AttachLock, Claim, DAEMON_NODE, Domain, ForeignFile, GenerationInfo, Presence,
+    Share, Sharing, TransportService, check_map_name, check_owner, foreign_node_counter,
+    iceoryx2_config, prepare_node_counter, remove_staged, silence_iceoryx2, unfinished_segments,
 };
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::fs::DirBuilder;
@@ -65,6 +66,10 @@ pub struct Server {
     /// Generations that are ready to be sent, by map. Dropped by hand, before the maps.
     pub(super) staged: BTreeMap<String, Staged>,
     node: Option<Node<TransportService>>,
+    /// Why there is no node: this is where subscribers need a file of the daemon's.
+    in_the_way: Option<ForeignFile>,
+    /// Files of other users that have been told of.
+    strangers: RefCell<Strangers>,
     presence: Option<Presence>,
     pub(super) lock: AttachLock,
     pub(super) domain: Domain,
@@ -81,6 +86,8 @@ pub struct Server {
 
 impl Server {
     /// Enters a domain, and cleans up after killed processes.
+    ///
+    /// Where another user holds a name that subscribers need, it serves observers alone: [`Server::without_subscribers`].
     ///
     /// Errors: the domain belongs to another user, or cannot be written; shared memory is full; iceoryx2 refuses; a killed
     /// process left an unfinished file that cannot be removed because a stopped process holds the attach lock.
@@ -101,9 +108,15 @@ impl Server {
         memory::check_overhead()?;
         let (lock, exclusive) = enter(domain).map_err(memory::or_shortage)?;
         let alone = exclusive.is_some() && Presence::is_deserted(domain);
+        let strangers = RefCell::<Strangers>::default();
         match &exclusive {
-            Some(guard) if alone => cleanup::wipe(domain, guard),
-            Some(guard) => cleanup::sweep(domain, guard, &notify),
+            Some(guard) => {
+                if alone {
+                    cleanup::wipe(domain, guard);
+                }
+                cleanup::sweep(domain, guard, &notify, &mut strangers.borrow_mut());
+                own_segment::remove_left(domain, guard);
+            }
             None => {
                 notify(&Notice::LockHeld { lock: lock.path().to_owned() });
                 if let Some(file) = unfinished_segments(domain).into_iter().next() {
@@ -117,6 +130,8 @@ impl Server {
             maps: BTreeMap::new(),
             staged: BTreeMap::new(),
             node: None,
+            in_the_way: None,
+            strangers,
             presence: Some(presence),
             lock,
             domain: domain.clone(),
@@ -130,6 +145,15 @@ impl Server {
             next_round: Instant::now(),
             rounds_missed: Cell::new(0),
         };
+        // What has the name once stays: nobody else can remove the daemon's, and no daemon while this one is present.
+        if let Err(error) = prepare_node_counter(domain) {
+            let Some(in_the_way) = foreign_node_counter(domain) else {
+                return Err(memory::or_shortage(error.into()));
+            };
+            (server.notify)(&Notice::WithoutSubscribers { file: in_the_way.clone() });
+            server.in_the_way = Some(in_the_way);
+            return Ok(server);
+        }
         let name = NodeName::new(DAEMON_NODE).map_err(ServeError::iceoryx("naming a node"))?;
         let builder = NodeBuilder::new()
             .name(&name)
@@ -138,14 +162,24 @@ impl Server {
         let node = reserving(|| builder.create::<TransportService>())
             .map_err(ServeError::iceoryx("creating a node"))
             .map_err(memory::or_shortage)?;
-        server.tell_if_failed("keeping other users out", rights::tighten(domain));
-        if let Some(guard) = &exclusive {
-            cleanup::clean(domain, &node, guard, &server.notify);
-            orphans::remove(domain, &node, guard, &server.notify);
+        server.node = Some(node);
+        if let (Some(guard), Some(node)) = (&exclusive, &server.node) {
+            server.clean(guard);
+            orphans::remove(domain, node, guard, &server.notify);
         }
         drop(exclusive);
-        server.node = Some(node);
         Ok(server)
+    }
+
+    /// What another user has put where subscribers need a file of the daemon's, so that this server serves observers alone; none as a rule.
+    pub fn without_subscribers(&self) -> Option<&ForeignFile> {
+        self.in_the_way.as_ref()
+    }
+
+    /// Cleans up after killed processes.
+    fn clean(&self, exclusive: &AttachGuard) {
+        let strangers = &mut self.strangers.borrow_mut();
+        cleanup::clean(&self.domain, self.node.as_ref(), exclusive, &self.notify, strangers);
     }
 
     /// Keeps the last number of each map's generations in a folder that outlives the domain, so that they rise also after
@@ -199,16 +233,13 @@ impl Server {
         // A killed daemon's word is out of date. What it served last is still told to observers, until there is something newer.
         self.tell_if_failed("removing an old record", remove_staged(&self.domain, map));
         let exclusive = self.exclusive();
-        let Some(node) = &self.node else {
-            return Err(ServeError::iceoryx("creating a service")("no node"));
-        };
         if let Err(error) = memory::check_overhead() {
             claim.release();
             return Err(error);
         }
         let ports = reserving(|| {
             let of = MapOf { domain: &self.domain, map, share: self.share };
-            MapPorts::create(&of, node, claim, exclusive.as_ref())
+            MapPorts::create(&of, self.node.as_ref(), claim, exclusive.as_ref())
         })?;
         self.maps.insert(map.to_owned(), ports);
         Ok(())
@@ -262,9 +293,7 @@ impl Server {
             return Ok(());
         };
         *missed = 0;
-        if let Some(node) = &self.node {
-            cleanup::clean(&self.domain, node, &exclusive, &self.notify);
-        }
+        self.clean(&exclusive);
         for (name, ports) in &self.maps {
             ports.greet(name, &self.notify);
         }
@@ -324,8 +353,8 @@ impl Server {
 impl Drop for Server {
     fn drop(&mut self) {
         let exclusive = self.exclusive();
-        if let (Some(guard), Some(node)) = (&exclusive, &self.node) {
-            cleanup::clean(&self.domain, node, guard, &self.notify);
+        if let Some(guard) = &exclusive {
+            self.clean(guard);
         }
         for name in self.staged.keys().cloned().collect::<Vec<_>>() {
             self.unstage(&name, exclusive.as_ref());
@@ -380,6 +409,8 @@ fn enter(domain: &Domain) -> Result<(AttachLock, Option<AttachGuard>), ServeErro
             return Err(ServeError::io(domain.root())(error));
         }
         if exclusive.is_none() || lock.is_current() {
+            // Between the first look and the lock the folder of a daemon that ended may have become a stranger's.
+            check_owner(domain)?;
             return Ok((lock, exclusive));
         }
     }

@@ -4,10 +4,10 @@
 use super::page::{PAGE_BYTES, Page};
 use super::slot::SlotContent;
 use crate::mapping::{Mapping, leave_out_of_core_dumps};
+use crate::regular::{Untrusted, open_guarded};
 use crate::share::Share;
-use crate::user::trusts;
 use rustix::fd::OwnedFd;
-use rustix::fs::{FileType, Mode, OFlags, Stat};
+use rustix::fs::{Mode, OFlags, Stat};
 use rustix::io::Errno;
 use rustix::mm::ProtFlags;
 use std::io;
@@ -30,6 +30,18 @@ pub(super) enum Refusal {
     Io(io::Error),
 }
 
+impl From<Untrusted> for Refusal {
+    fn from(untrusted: Untrusted) -> Self {
+        match untrusted {
+            Untrusted::OtherOwner(owner) => Self::OtherOwner(owner),
+            Untrusted::Io(error) if error.kind() == io::ErrorKind::InvalidInput => {
+                bad("is no file".to_owned())
+            }
+            Untrusted::Io(error) => Self::Io(error),
+        }
+    }
+}
+
 impl From<io::Error> for Refusal {
     fn from(error: io::Error) -> Self {
         Self::Io(error)
@@ -46,19 +58,11 @@ fn bad(why: String) -> Refusal {
     Refusal::Io(io::Error::new(io::ErrorKind::InvalidData, why))
 }
 
-/// Opens a file that somebody else may have put there: no symbolic link is followed, and no device or pipe waited for.
+/// Opens a file that somebody else may have put there.
 ///
 /// Errors: it is not `owner`'s; what the system says; invalid-data, if it is no file, or its pages are not all there.
 fn open(path: &Path, access: OFlags, owner: u32) -> Result<(OwnedFd, Stat), Refusal> {
-    let flags = access | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC | OFlags::NOCTTY;
-    let file = rustix::fs::open(path, flags, Mode::empty())?;
-    let stat = rustix::fs::fstat(&file)?;
-    if !trusts(owner, stat.st_uid) {
-        return Err(Refusal::OtherOwner(stat.st_uid));
-    }
-    if FileType::from_raw_mode(stat.st_mode) != FileType::RegularFile {
-        return Err(bad("is no file".to_owned()));
-    }
+    let (file, stat) = open_guarded(path, access, Mode::empty(), owner)?;
     if (stat.st_blocks as u64).saturating_mul(BLOCK) < stat.st_size as u64 {
         // The kernel would have to provide the missing pages when they are read, and ends the reader if it cannot.
         return Err(bad("has holes".to_owned()));

@@ -7,17 +7,14 @@ use super::slot::{SegmentLocation, SlotContent, decode, encode};
 use crate::domain::Domain;
 use crate::limits::TRANSPORT_REVISION;
 use crate::payload::GenerationInfo;
-use crate::record::{RECORD_SUFFIX, remove_text, unfinished};
+use crate::record::{RECORD_SUFFIX, create_anew, remove_text, unfinished};
 use crate::share::Share;
-use rustix::fs::{FallocateFlags, Mode, OFlags};
+use rustix::fs::FallocateFlags;
 use rustix::thread::futex;
 use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
-
-/// Mode of a record while it is made: its user alone.
-const MODE: Mode = Mode::RUSR.union(Mode::WUSR);
 
 /// The record of a map, written by the daemon that has claimed it. Dropping it leaves it as it is; [`RecordWriter::close`] removes it.
 pub struct RecordWriter {
@@ -163,9 +160,8 @@ fn is_ours(page: &Page) -> bool {
 /// Makes a record that says this under this sequence, or nothing; whole from the moment it has its name.
 fn create(path: &Path, share: Share, said: Option<(u32, &Words)>) -> io::Result<()> {
     let new = unfinished(path);
-    let flags = OFlags::RDWR | OFlags::CREATE | OFlags::TRUNC | OFlags::NOFOLLOW | OFlags::CLOEXEC;
-    let file = rustix::fs::open(&new, flags, MODE)?;
     let us = rustix::process::geteuid().as_raw();
+    let file = create_anew(&new)?;
     let made = rustix::fs::fallocate(&file, FallocateFlags::empty(), 0, PAGE_BYTES as u64)
         .map_err(io::Error::from)
         .and_then(|()| {

@@ -1,6 +1,7 @@
 //! One attempt to attach.
 
 use super::config::{TransportService, iceoryx2_config};
+use super::node_counter::check_node_counter;
 use super::shortage::check_room;
 use crate::attach_lock::{AttachGuard, AttachLock};
 use crate::claim::who_serves;
@@ -10,11 +11,11 @@ use crate::limits::{
     DAEMON_NODE, MAX_SUBSCRIBERS, MAX_SUBSCRIPTIONS, TRANSPORT_REVISION, changed_name,
     service_name, wake_name,
 };
-use crate::observer::revision_of;
+use crate::observer::{published, revision_of};
 use crate::payload::{Chunk64, GenerationInfo};
 use crate::presence::Presence;
 use crate::status::alive_maps;
-use crate::unfinished::unfinished_among;
+use crate::unfinished::look;
 use crate::user::check_own;
 use iceoryx2::port::listener::Listener;
 use iceoryx2::port::notifier::Notifier;
@@ -87,6 +88,7 @@ pub(crate) fn open_ports(
     let (lock, _guard) = enter(domain, map, deadline)?;
     let presence =
         Presence::enter(domain).map_err(|error| AttachError::io(domain.root(), error))?;
+    check_node_counter(domain, map)?;
     timing.lock = lap();
     let config = iceoryx2_config(domain)?;
     let (most, name) = match attaching {
@@ -181,7 +183,7 @@ fn enter(
         return Err(missing());
     }
     let in_the_way = |name: &str| !OF_OTHER_CLIENTS.iter().any(|suffix| name.ends_with(suffix));
-    match unfinished_among(domain, in_the_way).into_iter().next() {
+    match look(domain, in_the_way).unfinished.into_iter().next() {
         Some(file) => Err(AttachError::Stuck { file }),
         None => {
             check_room()?;
@@ -201,6 +203,7 @@ fn service_error(domain: &Domain, map: &str, error: PublishSubscribeOpenError) -
             Some(revision) if revision != TRANSPORT_REVISION => {
                 AttachError::WrongTransport { map, found: revision.to_string() }
             }
+            _ if published(domain, &map).is_some() => AttachError::NoSubscribers { map },
             // Claimed, but not published yet.
             _ => AttachError::NoGeneration { map, newer_than: 0, daemon_alive: true },
         },

@@ -2,6 +2,7 @@
 
 use super::attach::{AttachTiming, Attaching, Ports, open_listener, open_ports};
 use super::config::{TransportService, silence_iceoryx2};
+use super::connections::KnownPublishers;
 use super::sample::PinnedSample;
 use super::shortage::{RECEIVE_DESCRIPTORS, check_descriptors, check_room};
 use crate::claim::{served_by, who_serves};
@@ -55,6 +56,9 @@ struct State {
 /// The ports, and what came through them that may still be held.
 struct Inbox {
     ports: Ports,
+    domain: Domain,
+    attaching: Attaching,
+    publishers: KnownPublishers,
     held: Vec<Watch>,
 }
 
@@ -91,7 +95,10 @@ impl Subscription {
         let mut pause = FIRST_PAUSE;
         let mut inbox = loop {
             match open_ports(domain, map, attaching, deadline).map_err(AttachError::or_shortage) {
-                Ok(ports) => break Inbox { ports, held: Vec::new() },
+                Ok(ports) => {
+                    let (domain, publishers) = (domain.clone(), KnownPublishers::default());
+                    break Inbox { ports, domain, attaching, publishers, held: Vec::new() };
+                }
                 Err(error) if error.may_pass() && Instant::now() < deadline => {
                     sleep(&mut pause, deadline)
                 }
@@ -281,6 +288,14 @@ impl Inbox {
         }
     }
 
+    /// Takes part under another id. What is held stays.
+    fn attach_anew(&mut self, map: &str, deadline: Instant) -> Result<(), AttachError> {
+        self.ports = open_ports(&self.domain, map, self.attaching, deadline)?;
+        self.ports.wake = None;
+        self.publishers = KnownPublishers::default();
+        Ok(())
+    }
+
     fn ring(&self, deadline: Instant) -> Result<(), AttachError> {
         let guard = self.ports.lock.shared(deadline)?;
         if let (Some(wake), Some(_)) = (&self.ports.wake, guard) {
@@ -290,12 +305,19 @@ impl Inbox {
     }
 
     /// Takes everything that has come and returns the newest of it. Under the attach lock, for receiving from a new
-    /// publisher creates a segment; waits for the lock at most until the deadline, and finds nothing if it stays taken.
+    /// publisher creates a segment; waits for the lock at most until the deadline, and finds nothing if it stays taken, or if a stranger has the name of a queue: then it
+    /// attaches anew.
     ///
-    /// Errors: shared memory is full; too many generations are held; iceoryx2 refuses.
+    /// Errors: shared memory is full; too many generations are held; a stranger has the name of a queue, and there is no room to attach anew; iceoryx2 refuses.
     fn receive(&mut self, map: &str, deadline: Instant) -> Result<Option<Pinned>, AttachError> {
-        let Some(_guard) = self.ports.lock.shared(deadline)? else { return Ok(None) };
+        let Some(guard) = self.ports.lock.shared(deadline)? else { return Ok(None) };
         check_room()?;
+        let Ports { service, subscriber, .. } = &self.ports;
+        if let Err(stranger) = self.publishers.check(&self.domain, service, subscriber) {
+            drop(guard);
+            // Its queues have names that nobody can foresee; the daemon answers as it answers newcomers.
+            return self.attach_anew(map, deadline).map_or(Err(stranger), |()| Ok(None));
+        }
         self.held.retain(Watch::is_held);
         let mut newest: Option<Pinned> = None;
         loop {

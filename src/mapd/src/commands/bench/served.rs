@@ -1,5 +1,6 @@
 //! The map under test: served by a daemon that runs, or by this process for the time of the benchmark.
 
+use crate::clock::since_epoch;
 use crate::serve::{PublishMeta, Server, StopSignal};
 use crate::source::{self, Attaching, Compiling, Opened, Source};
 use anyhow::{Context, Result, bail};
@@ -7,6 +8,9 @@ use mapd_archive::LAYOUT_ID;
 use mapd_client::{Client, Domain, Snapshot};
 use mapd_compiler::{CompileOptions, ReadOptions};
 use mapd_transport::list_maps;
+use std::fs::File;
+use std::io::Write;
+use std::os::unix::fs::OpenOptionsExt;
 use std::path::PathBuf;
 use std::sync::mpsc;
 use std::time::Duration;
@@ -93,10 +97,14 @@ fn the_only_map(domain: &Domain) -> Result<String> {
 }
 
 fn copy_of(snapshot: &Snapshot) -> Result<Temporary> {
-    let path = std::env::temp_dir().join(format!("mapd-bench-{}.mapd", std::process::id()));
-    let temporary = Temporary(path);
-    std::fs::write(&temporary.0, snapshot.bytes())
-        .with_context(|| format!("writing {}", temporary.0.display()))?;
+    // A name that nobody has made before: every user can put files and links there.
+    let name = format!("mapd-bench-{}-{}.mapd", std::process::id(), since_epoch().as_nanos());
+    let path = std::env::temp_dir().join(name);
+    let writing = || format!("writing {}", path.display());
+    let made = File::options().write(true).create_new(true).mode(0o600).open(&path);
+    let mut file = made.with_context(writing)?;
+    let temporary = Temporary(path.clone());
+    file.write_all(snapshot.bytes()).with_context(writing)?;
     Ok(temporary)
 }
 

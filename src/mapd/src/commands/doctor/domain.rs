@@ -2,9 +2,10 @@
 
 use super::finding::{Finding, size};
 use mapd_transport::{
-    AttachError, AttachLock, Domain, Presence, SHARED_MEMORY_FOLDER, check_owner,
-    unfinished_segments,
+    AttachError, AttachLock, Domain, DomainFiles, ForeignFile, Presence, SHARED_MEMORY_FOLDER,
+    check_owner, domain_files, foreign_node_counter, unfinished_segments,
 };
+use std::fs::Metadata;
 use std::os::unix::fs::MetadataExt;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -39,13 +40,14 @@ pub(super) fn examine(domain: &Domain, out: &mut Vec<Finding>) -> bool {
                 format!("{root} does not exist: no daemon has been started"),
             ));
             leftovers(domain, true, out);
+            strangers(domain, out);
             return false;
         }
         Err(AttachError::PermissionDenied { owner, trusted, .. }) => {
             out.push(Finding::problem(
                 check,
                 format!("{root} belongs to user {owner}, trusted is user {trusted}"),
-                "run daemon and clients as one user, name the daemon's with --owner, or take another --prefix",
+                "run daemon and clients as one user, name the daemon's with --owner, or take another --prefix; if that user has nothing to do with mapd, remove it",
             ));
             return false;
         }
@@ -89,7 +91,35 @@ pub(super) fn examine(domain: &Domain, out: &mut Vec<Finding>) -> bool {
     unfinished(domain, deserted, out);
     leftovers(domain, deserted, out);
     rights(domain, out);
+    strangers(domain, out);
     true
+}
+
+/// What other users have put where the domain's files are.
+fn strangers(domain: &Domain, out: &mut Vec<Finding>) {
+    let check = "other users' files";
+    let DomainFiles { foreign, foreign_count, .. } = domain_files(domain);
+    if let Some(counter) = foreign_node_counter(domain) {
+        out.push(Finding::problem(
+            check,
+            format!("{counter}: it has a name that subscribers need, so that daemons serve observers alone"),
+            "have it removed, and start the daemon again, or take another --prefix",
+        ));
+    }
+    if foreign.is_empty() {
+        out.push(Finding::ok(check, "none"));
+        return;
+    }
+    let named: Vec<String> = foreign.iter().map(ForeignFile::to_string).collect();
+    let more = match foreign_count - foreign.len() {
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    out.push(Finding::note(
+        check,
+        format!("named as if they were of this domain, and ignored: {}{more}", named.join("; ")),
+        "have their owners, or root, remove them: they take room in shared memory",
+    ));
 }
 
 fn lock(domain: &Domain, out: &mut Vec<Finding>) {
@@ -141,20 +171,18 @@ fn unfinished(domain: &Domain, deserted: bool, out: &mut Vec<Finding>) {
     });
 }
 
-/// Files of the domain in shared memory, the root folder left out.
-pub(super) fn segments(domain: &Domain) -> Vec<PathBuf> {
-    let Ok(entries) = std::fs::read_dir(SHARED_MEMORY_FOLDER) else { return Vec::new() };
-    let own = |path: &PathBuf| {
-        path.is_file()
-            && path.file_name().is_some_and(|n| n.to_string_lossy().starts_with(domain.prefix()))
-    };
-    entries.flatten().map(|entry| entry.path()).filter(own).collect()
+/// Files of the domain in shared memory, the root folder and what other users have put there left out. No link is followed.
+pub(super) fn segments(domain: &Domain) -> Vec<(PathBuf, Metadata)> {
+    let entries = std::fs::read_dir(SHARED_MEMORY_FOLDER).into_iter().flatten().flatten();
+    let named = entries
+        .filter(|entry| entry.file_name().to_string_lossy().starts_with(domain.prefix()))
+        .filter_map(|entry| Some((entry.path(), entry.metadata().ok()?)));
+    named.filter(|(_, file)| file.is_file() && file.uid() == domain.owner()).collect()
 }
 
 fn leftovers(domain: &Domain, deserted: bool, out: &mut Vec<Finding>) {
     let check = "files of dead processes";
-    let sizes =
-        segments(domain).into_iter().filter_map(|path| path.metadata().ok()).map(|m| m.len());
+    let sizes = segments(domain).into_iter().map(|(_, file)| file.len());
     let (count, bytes) = sizes.fold((0_u64, 0_u64), |(n, sum), len| (n + 1, sum + len));
     let found = format!("{count} file(s), {} in {SHARED_MEMORY_FOLDER}", size(bytes));
     out.push(match (count, deserted) {
@@ -174,16 +202,16 @@ fn leftovers(domain: &Domain, deserted: bool, out: &mut Vec<Finding>) {
 
 fn rights(domain: &Domain, out: &mut Vec<Finding>) {
     let inside = std::fs::read_dir(domain.root()).into_iter().flatten().flatten();
-    let files = segments(domain).into_iter().chain(inside.map(|entry| entry.path()));
-    let is_open = |path: &PathBuf| {
+    let inside = inside.filter_map(|entry| Some((entry.path(), entry.metadata().ok()?)));
+    let files = segments(domain).into_iter().chain(inside);
+    let is_open = |(path, file): &(PathBuf, Metadata)| {
         let is_published = SHARED.iter().any(|end| path.to_string_lossy().ends_with(end));
         let allowed = if is_published { SHARED_FILE } else { 0 };
         // Folders of iceoryx2's own show others names at most, and hold nothing that they may read.
-        let regular = |m: &std::fs::Metadata| m.is_file() && m.mode() & OTHERS & !allowed != 0;
-        path.symlink_metadata().is_ok_and(|metadata| regular(&metadata))
+        file.is_file() && file.mode() & OTHERS & !allowed != 0
     };
     out.push(match { files }.find(is_open) {
-        Some(path) => Finding::problem(
+        Some((path, _)) => Finding::problem(
             "rights",
             format!("{} is open to other users", path.display()),
             "end all processes of the domain and start the daemon again; a daemon takes these rights away when it starts",

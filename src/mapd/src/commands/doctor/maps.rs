@@ -4,11 +4,13 @@ use super::domain::segments;
 use super::finding::{Finding, size};
 use crate::control::{AskError, Request, ask};
 use crate::faults::minor_faults;
-use crate::serve::NODE_COUNTER;
 use mapd_archive::FORMAT;
 use mapd_client::{Attach, Client, Domain};
 use mapd_transport::{MapStatus, TRANSPORT_REVISION, list_maps, revision_of};
 use std::time::{Duration, Instant};
+
+/// Suffix of iceoryx2's counters of nodes, of which there is one for each version.
+const NODE_COUNTER: &str = ".global_mgmt";
 
 /// The version of iceoryx2 that is built in: all processes of a domain need the same.
 pub(super) const ICEORYX2: &str = "0.10.0";
@@ -53,7 +55,7 @@ pub(super) fn examine(domain: &Domain, wait: Duration, out: &mut Vec<Finding>) {
 
 /// Versions of iceoryx2 that have made nodes in the domain: their counters are named `…_node.0_10_0.global_mgmt`.
 fn versions_in_use(domain: &Domain) -> impl Iterator<Item = String> {
-    segments(domain).into_iter().filter_map(|path| {
+    segments(domain).into_iter().filter_map(|(path, _)| {
         let name = path.file_name()?.to_str()?.strip_suffix(NODE_COUNTER)?.to_owned();
         Some(name.rsplit_once("_node.")?.1.replace('_', "."))
     })

@@ -13,6 +13,12 @@ const CONTAINER_DEFAULT: u64 = 64 << 20;
 /// Control groups of version 1 without a limit say a number near the largest one.
 const NO_LIMIT: u64 = 1 << 60;
 
+/// Everybody may make files in a folder.
+const OTHERS_WRITE: u32 = 0o002;
+
+/// Only their owners may remove them.
+const STICKY: u32 = 0o1000;
+
 /// Generations that are in memory while a map is replaced.
 const LIVE_GENERATIONS: u64 = 2;
 
@@ -79,6 +85,16 @@ fn shared_memory(needed: u64, out: &mut Vec<Finding>) {
         out.push(Finding::note(check, format!("{found}: a container's default"), enlarge));
     } else {
         out.push(Finding::ok(check, found));
+    }
+    // Names of the domain's files are its user's for as long as he likes only where no other user can remove them.
+    if let Ok(folder) = rustix::fs::stat(SHARED_MEMORY_FOLDER)
+        && folder.st_mode & (OTHERS_WRITE | STICKY) == OTHERS_WRITE
+    {
+        out.push(Finding::problem(
+            check,
+            format!("every user can remove files of others in {SHARED_MEMORY_FOLDER}"),
+            format!("make it sticky: chmod 1777 {SHARED_MEMORY_FOLDER}"),
+        ));
     }
     if rustix::fs::access(SHARED_MEMORY_FOLDER, rustix::fs::Access::WRITE_OK).is_err() {
         out.push(Finding::problem(

@@ -2,10 +2,11 @@
 
 use crate::clock::since_epoch;
 use mapd_overlay::{Entry, Moment};
+use mapd_transport::{OWN_FILE, open_guarded};
+use rustix::fs::OFlags;
 use serde::Serialize;
-use std::fs::{self, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, Write};
-use std::os::unix::fs::OpenOptionsExt;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -66,6 +67,9 @@ impl Audit {
         }
         let mut text = serde_json::to_vec(line)?;
         text.push(b'\n');
-        OpenOptions::new().append(true).create(true).mode(0o600).open(&path)?.write_all(&text)
+        let access = OFlags::WRONLY | OFlags::APPEND | OFlags::CREATE;
+        let us = rustix::process::geteuid().as_raw();
+        let (file, _) = open_guarded(&path, access, OWN_FILE, us)?;
+        File::from(file).write_all(&text)
     }
 }
