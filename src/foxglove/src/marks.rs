@@ -24,7 +24,7 @@ fn of_road(road: &Road<'_>, frame: &Frame, stamp: Option<Timestamp>) -> Option<S
     let mut lines: Vec<(RoadMarkColor, LinePrimitive)> = Vec::new();
     for lane in road.sections().flat_map(|section| section.lanes()) {
         for mark in lane.road_marks() {
-            for stroke in MarkStroke::of(&mark, lane.number()) {
+            for mut stroke in MarkStroke::of(&mark, lane.number()) {
                 let is_same = |(color, line): &(RoadMarkColor, LinePrimitive)| {
                     *color == stroke.color && line.thickness == stroke.width
                 };
@@ -36,10 +36,14 @@ fn of_road(road: &Road<'_>, frame: &Frame, stamp: Option<Timestamp>) -> Option<S
                     }
                 };
                 let Some((_, to)) = lines.get_mut(at) else { continue };
-                dashed(&stroke.line(&lane, &mark), stroke.dashes, |from, end| {
-                    let above = DVec3::new(0.0, 0.0, ABOVE);
-                    to.points.extend([from, end].map(|point| frame.point(point + above)));
-                });
+                let dashes = stroke.extent.dashes;
+                stroke.extent.dashes = dashes.filter(|[dash, gap]| dash.min(*gap) >= SHORTEST);
+                let above = DVec3::new(0.0, 0.0, ABOVE);
+                for dash in stroke.painted(&stroke.line(&lane, &mark)) {
+                    for pair in dash.windows(2) {
+                        to.points.extend(pair.iter().map(|point| frame.point(*point + above)));
+                    }
+                }
             }
         }
     }
@@ -70,29 +74,4 @@ fn paint(of: RoadMarkColor) -> Color {
         _ => 0xff_ffff,
     };
     color(rgb, 1.0)
-}
-
-/// The painted pieces of a line.
-fn dashed(points: &[DVec3], dashes: Option<[f64; 2]>, mut each: impl FnMut(DVec3, DVec3)) {
-    let dashes = dashes.filter(|[dash, gap]| dash.min(*gap) >= SHORTEST);
-    let mut along = 0.0;
-    for pair in points.windows(2) {
-        let &[from, to] = pair else { return };
-        let length = from.distance(to);
-        let Some([dash, gap]) = dashes else {
-            each(from, to);
-            continue;
-        };
-        let at = |place: f64| from.lerp(to, (place - along) / length);
-        let period = dash + gap;
-        let mut begin = (along / period).floor() * period;
-        while begin < along + length {
-            let (low, high) = (begin.max(along), (begin + dash).min(along + length));
-            if low < high {
-                each(at(low), at(high));
-            }
-            begin += period;
-        }
-        along += length;
-    }
 }

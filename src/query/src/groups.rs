@@ -18,7 +18,7 @@ pub mod roads {
     pub use crate::polyline::{LinePoint, Polyline};
     pub use crate::region::BoundarySegment;
     pub use crate::road::{RoadLink, RoadTypeRecord};
-    pub use crate::road_mark::{RoadMark, RoadMarkLine, RoadMarkSegment};
+    pub use crate::road_mark::{RoadMark, RoadMarkExtent, RoadMarkLine, RoadMarkSegment};
     pub use crate::surface::{LaneHeight, Material, Surface};
     pub use crate::waypoints::Waypoint;
 }

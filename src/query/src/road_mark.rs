@@ -53,6 +53,45 @@ pub struct RoadMarkLine {
     pub color: RoadMarkColor,
 }
 
+/// Where one line of a road mark is painted along its road.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct RoadMarkExtent {
+    /// Where it begins and ends on the road `[m]`; nothing is painted if it ends before it begins.
+    pub s: [f64; 2],
+    /// s at which a dash begins: the pattern counts from there, also where the mark goes on from another section `[m]`.
+    pub pattern_s: f64,
+    /// Lengths of a dash and of the gap behind it `[m]`; none of a line without gaps.
+    pub dashes: Option<[f64; 2]>,
+}
+
+/// Dashes of one line at most; one with more, which nobody paints, counts as one without gaps.
+const MOST_DASHES: f64 = 16_384.0;
+
+impl RoadMarkExtent {
+    /// Whether s is painted, between both ends.
+    pub(crate) fn is_in_dash(&self, s: f64) -> bool {
+        self.dashes.is_none_or(|[dash, gap]| (s - self.pattern_s).rem_euclid(dash + gap) <= dash)
+    }
+
+    /// What is painted, in ascending s: both ends of each dash, or of the whole line.
+    pub fn painted(&self) -> impl Iterator<Item = [f64; 2]> + use<> {
+        let ([from, to], pattern_s) = (self.s, self.pattern_s);
+        let period = self.dashes.map_or(f64::INFINITY, |[dash, gap]| dash + gap);
+        let first = ((from - pattern_s) / period).floor();
+        let count = ((to - pattern_s) / period).ceil() - first;
+        let dashes = self.dashes.filter(|_| count <= MOST_DASHES && first.is_finite());
+        // Casts saturate.
+        let count = if dashes.is_some() { count as u32 } else { 1 };
+        let dash = move |number: u32| {
+            let Some([dash, _]) = dashes else { return [from, to] };
+            let begin = pattern_s + (first + f64::from(number)) * period;
+            [begin.max(from), (begin + dash).min(to)]
+        };
+        (0..count).map(dash).filter(|[begin, end]| begin < end)
+    }
+}
+
 /// A straight piece of a road mark's course.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,11 +115,6 @@ impl<'a> RoadMark<'a> {
     /// Where the mark begins: s on the road `[m]`, not before the lane's section.
     pub fn s(&self) -> f64 {
         self.s
-    }
-
-    /// Where the mark begins as written `[m]`: its pattern counts from there.
-    pub(crate) fn written_s(&self) -> f64 {
-        self.written_s
     }
 
     /// Where the lane's next mark or the section's end takes over `[m]`.
@@ -141,6 +175,23 @@ impl<'a> RoadMark<'a> {
     /// Lines of the pattern and explicit ones, in file order; none where the kind says all.
     pub fn lines(&self) -> impl ExactSizeIterator<Item = RoadMarkLine> + use<'a> {
         self.style.lines().of(self.map.tables().road_mark_lines).iter().map(line)
+    }
+
+    /// Where the mark is painted as a whole, with these dashes: for kinds whose lines the file does not give.
+    pub fn extent(&self, dashes: Option<[f64; 2]>) -> RoadMarkExtent {
+        RoadMarkExtent { s: [self.s, self.s_end], pattern_s: self.written_s, dashes }
+    }
+
+    /// Where one of the mark's lines is painted.
+    pub fn extent_of(&self, line: &RoadMarkLine) -> RoadMarkExtent {
+        let start = self.written_s + line.s_offset;
+        // An explicit line is there once.
+        let end = if line.space.is_none() { start + line.length } else { f64::INFINITY };
+        RoadMarkExtent {
+            s: [self.s.max(start), self.s_end.min(end)],
+            pattern_s: start,
+            dashes: line.space.filter(|space| *space > 0.0).map(|space| [line.length, space]),
+        }
     }
 
     /// Whether the mark leaves the lane's border anywhere (`sway`).

@@ -31,7 +31,7 @@ pub struct Stroke {
     pub from: [f32; 2],
     /// Second end `[m]`.
     pub to: [f32; 2],
-    /// Length of the line before this piece `[m]`, from which dashes count.
+    /// Length from the beginning of a dash to that of this piece `[m]`.
     pub along: f32,
     /// Width `[m]`; 0 for a line that is as thin as can be seen.
     pub width: f32,
@@ -82,8 +82,15 @@ pub struct Pen {
     pub level: i64,
     /// Width `[m]`; 0 for as thin as can be seen.
     pub width: f64,
-    /// Dash and gap `[m]`, if it is broken.
-    pub dashes: Option<[f64; 2]>,
+}
+
+/// How a line beside a road is broken.
+#[derive(Clone, Copy, Debug)]
+pub struct Dashes {
+    /// s at which a dash begins `[m]`.
+    pub from: f64,
+    /// Dash and gap `[m]` of s.
+    pub lengths: [f64; 2],
 }
 
 /// Shapes, relative to a middle, so that single precision is enough.
@@ -189,11 +196,28 @@ impl Drawing {
 
     /// Adds a line.
     pub fn line(&mut self, points: impl Iterator<Item = DVec3>, pen: &Pen) {
-        let (mut along, mut last) = (0.0, None::<DVec2>);
-        let [dash, gap] = pen.dashes.unwrap_or_default();
-        for point in points {
-            let point = (point - self.middle).truncate();
-            if let Some(from) = last.replace(point) {
+        self.line_along(points.map(|position| EdgePoint { s: 0.0, position }), None, pen);
+    }
+
+    /// Adds a line beside a road. Its dashes lie at s: what is drawn has those lengths where it runs beside the reference line, and others in bends.
+    pub fn line_along(
+        &mut self,
+        points: impl Iterator<Item = EdgePoint>,
+        dashes: Option<Dashes>,
+        pen: &Pen,
+    ) {
+        let mut last = None::<(f64, DVec2)>;
+        for EdgePoint { s, position } in points {
+            let point = (position - self.middle).truncate();
+            if let Some((s_from, from)) = last.replace((s, point)) {
+                let drawn = from.distance(point) / (s - s_from);
+                let dashes = dashes.filter(|_| drawn.is_finite());
+                let [along, dash, gap] = dashes.map_or([0.0; 3], |own| {
+                    let [dash, gap] = own.lengths;
+                    // From the dash's beginning, so that single precision holds it on long lines.
+                    let along = (s_from - own.from).rem_euclid(dash + gap);
+                    [along, dash, gap].map(|of_s| of_s * drawn)
+                });
                 self.strokes.push(Stroke {
                     from: [from.x as f32, from.y as f32],
                     to: [point.x as f32, point.y as f32],
@@ -203,11 +227,6 @@ impl Drawing {
                     gap: gap as f32,
                     paint: code(pen.paint, pen.level),
                 });
-                along += from.distance(point);
-                // From the dash's beginning, so that single precision holds it on long lines.
-                if dash + gap > 0.0 {
-                    along %= dash + gap;
-                }
             }
         }
     }

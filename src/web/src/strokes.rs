@@ -1,7 +1,7 @@
 //! Road marks as strokes along a lane's border, each broken as the file says.
 
 use mapd_query::glam::DVec3;
-use mapd_query::roads::RoadMark;
+use mapd_query::roads::{LinePoint, RoadMark, RoadMarkExtent};
 use mapd_query::vocabulary::{RoadMarkColor, RoadMarkKind};
 use mapd_query::{Lane, Track};
 
@@ -11,6 +11,8 @@ const BROKEN: [f64; 2] = [3.0, 6.0];
 const DOTS: [f64; 2] = [0.1, 1.2];
 /// Distance between places of a mark that sways `[m]`.
 const SWAY_STEP: f64 = 0.5;
+/// Such places of one mark at most: none is so long but in a damaged archive.
+const MOST_PLACES: f64 = 65_536.0;
 /// Gap between the two lines of a double mark, in widths of one line.
 const DOUBLE_GAP: f64 = 1.0;
 
@@ -21,10 +23,8 @@ pub struct MarkStroke {
     pub t_offset: f64,
     /// Width `[m]`.
     pub width: f64,
-    /// Line and gap `[m]`; drawn through if there is none.
-    pub dashes: Option<[f64; 2]>,
-    /// Where it begins and ends on the road `[m]`.
-    pub s: [f64; 2],
+    /// Where it is painted along the road.
+    pub extent: RoadMarkExtent,
     /// Colour.
     pub color: RoadMarkColor,
 }
@@ -33,22 +33,12 @@ impl MarkStroke {
     /// The strokes of a mark of a lane: the mark's own lines, or those that its kind stands for.
     pub fn of(mark: &RoadMark<'_>, lane: i32) -> Vec<Self> {
         let (width, color) = (mark.width_or_default(), mark.color());
-        let whole = [mark.s(), mark.s_end()];
         if mark.lines().len() > 0 && mark.kind() != RoadMarkKind::None {
-            let own = mark.lines().map(|line| {
-                let start = whole[0] + line.s_offset;
-                let explicit_end = (start + line.length).min(whole[1]);
-                let end = if line.space.is_none() { explicit_end } else { whole[1] };
-                Self {
-                    t_offset: line.t_offset,
-                    width: line.width.filter(|width| *width > 0.0).unwrap_or(width),
-                    dashes: line
-                        .space
-                        .filter(|space| *space > 0.0)
-                        .map(|space| [line.length, space]),
-                    s: [start, end],
-                    color: if line.color == RoadMarkColor::NotGiven { color } else { line.color },
-                }
+            let own = mark.lines().map(|line| Self {
+                t_offset: line.t_offset,
+                width: line.width.filter(|width| *width > 0.0).unwrap_or(width),
+                extent: mark.extent_of(&line),
+                color: if line.color == RoadMarkColor::NotGiven { color } else { line.color },
             });
             return own.collect();
         }
@@ -71,25 +61,23 @@ impl MarkStroke {
         let stroke = |(i, dashes): (usize, &Option<[f64; 2]>)| Self {
             t_offset: place(i),
             width,
-            dashes: *dashes,
-            s: whole,
+            extent: mark.extent(*dashes),
             color,
         };
         lines.iter().enumerate().map(stroke).collect()
     }
 
-    /// The stroke's line, with points where the lane's border has them: that is within the border's tolerance. Less than two
+    /// The stroke's line from end to end, with points where the lane's border has them: that is within the border's tolerance. Less than two
     /// points where there is nothing to draw.
-    pub fn line(&self, lane: &Lane<'_>, mark: &RoadMark<'_>) -> Vec<DVec3> {
-        let [from, to] = self.s;
+    pub fn line(&self, lane: &Lane<'_>, mark: &RoadMark<'_>) -> Vec<LinePoint> {
+        let [from, to] = self.extent.s;
         if from >= to {
             return Vec::new();
         }
         let mut places: Vec<f64> = lane.border().stations().collect();
         if mark.sways() {
-            places.extend(
-                (0..((to - from) / SWAY_STEP) as usize).map(|i| from + i as f64 * SWAY_STEP),
-            );
+            let count = ((to - from) / SWAY_STEP).min(MOST_PLACES) as usize;
+            places.extend((0..count).map(|i| from + i as f64 * SWAY_STEP));
             places.sort_by(f64::total_cmp);
         }
         places.retain(|s| *s > from && *s < to);
@@ -97,8 +85,26 @@ impl MarkStroke {
         places.push(to);
         let place = |s: f64| {
             let t = mark.t_at(s) + self.t_offset;
-            lane.road().to_inertial(Track { s, t, h: 0.0 }).ok()
+            let pose = lane.road().to_inertial(Track { s, t, h: 0.0 }).ok()?;
+            Some(LinePoint { s, position: pose.position })
         };
-        places.into_iter().filter_map(place).map(|pose| pose.position).collect()
+        places.into_iter().filter_map(place).collect()
+    }
+
+    /// What is painted of a line of the stroke ([`Self::line`]): each dash by itself.
+    pub fn painted(&self, line: &[LinePoint]) -> Vec<Vec<DVec3>> {
+        let at = |s: f64| {
+            let next = line.partition_point(|point| point.s < s);
+            let (a, b) = (line.get(next.saturating_sub(1))?, line.get(next)?);
+            let share = if b.s > a.s { (s - a.s) / (b.s - a.s) } else { 1.0 };
+            Some(a.position.lerp(b.position, share))
+        };
+        let dash = |[begin, end]: [f64; 2]| {
+            let first = line.partition_point(|point| point.s <= begin);
+            let within = line.get(first..).unwrap_or(&[]).iter();
+            let within = within.take_while(|point| point.s < end).map(|point| point.position);
+            at(begin).into_iter().chain(within).chain(at(end)).collect()
+        };
+        self.extent.painted().map(dash).collect()
     }
 }

@@ -181,7 +181,7 @@ fn draw<'a>(
         drawing.line(left.iter().map(|point| point.position), &pen);
         drawing.line(right.iter().map(|point| point.position), &pen);
     }
-    let pen = Pen { paint: Paint::Route as u8, level, width: LINE, dashes: None };
+    let pen = Pen { paint: Paint::Route as u8, level, width: LINE };
     let line: Result<Vec<DVec3>, QueryError> =
         corridor.along.iter().map(|along| Ok(path.at(*along)?.position)).collect();
     drawing.line(line?.into_iter(), &pen);

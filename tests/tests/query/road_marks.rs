@@ -3,15 +3,18 @@
 use mapd_archive::NONE;
 use mapd_client::compiling::ByRow as _;
 use mapd_client::glam::DVec2;
+use mapd_client::localisation::MarkFilter;
 use mapd_client::vocabulary::{
     MarkLaneChange, RoadMarkColor, RoadMarkKind, RoadMarkRule, RoadMarkWeight,
 };
 use mapd_client::{LaneTypes, Map, Region};
 use mapd_tests::carried;
 use mapd_tests::literal::Element;
-use mapd_tests::maps::{carried_and, open};
+use mapd_tests::maps::{carried_and, open, open_text};
+use mapd_web::{Layer, MarkStroke};
 use std::collections::HashMap;
 use std::path::Path;
+use std::time::UNIX_EPOCH;
 
 #[test]
 fn every_form_of_mark_answers_as_written() {
@@ -139,4 +142,85 @@ fn no_mark_of_a_map_is_lost() {
         seen += written.len();
     }
     assert!(seen > 8, "no marks to compare");
+}
+
+/// A road of a line and a bend, one side of which goes on where the other has a new section, with broken and explicit lines on that side.
+fn goes_on(side: &str) -> String {
+    let broken = r#"<roadMark sOffset="1" type="broken" weight="standard" color="white" width="0.12"><type name="b" width="0.12"><line length="3" space="6" tOffset="0" sOffset="0.5" rule="none" width="0.12"/></type></roadMark>"#;
+    let explicit = r#"<roadMark sOffset="0" type="custom" weight="standard" color="white" width="0.12"><explicit><line length="5" tOffset="0.1" sOffset="10" rule="none" width="0.12"/><line length="20" tOffset="0" sOffset="44" rule="none" width="0.12"/></explicit></roadMark>"#;
+    let lanes = |first: i32, second: i32, marks: [&str; 2]| {
+        let lane = |id: i32, mark: &str| {
+            format!(
+                r#"<lane id="{id}" type="driving"><width sOffset="0" a="3.5" b="0" c="0" d="0"/>{mark}</lane>"#
+            )
+        };
+        lane(first, marks[0]) + &lane(second, marks[1])
+    };
+    let [left, right] = match side {
+        "left" => [lanes(2, 1, [explicit, broken]), lanes(-1, -2, ["", ""])],
+        _ => [lanes(2, 1, ["", ""]), lanes(-1, -2, [broken, explicit])],
+    };
+    let center = r#"<center><lane id="0" type="none"/></center>"#;
+    let other = match side {
+        "left" => format!("{center}<right>{right}</right>"),
+        _ => format!("<left>{left}</left>{center}"),
+    };
+    format!(
+        r#"<OpenDRIVE><header revMajor="1" revMinor="7"/><road id="1" length="120" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="40"><line/></geometry><geometry s="40" x="40" y="0" hdg="0" length="80"><arc curvature="0.02"/></geometry></planView><lanes><laneSection s="0"><left>{left}</left>{center}<right>{right}</right></laneSection><laneSection s="50" singleSide="true">{other}</laneSection></lanes></road></OpenDRIVE>"#
+    )
+}
+
+/// What the page and files draw of a mark is what queries say is painted: also where a lane goes on from another section, and in a bend, where no dash is as long as its s.
+#[test]
+fn drawn_dashes_are_those_that_queries_answer() {
+    /// As near to the end of a dash rounding to single precision decides `[m]`.
+    const ENDS: f64 = 0.01;
+    for side in ["left", "right"] {
+        let snapshot = open_text(&goes_on(side));
+        let map = snapshot.map();
+        let filter = MarkFilter::default();
+        let painted = |place: DVec2| {
+            let near = map.nearest_mark(place, &filter).expect("finite").expect("a mark");
+            assert!(near.distance < 0.05, "{side}: {near:?}");
+            near.painted
+        };
+        let (bounds, mut counts) = (map.bounds(), [0; 2]);
+        let middle = 0.5 * (bounds.low + bounds.high).truncate();
+        let drawing = Layer::Marks.draw(snapshot.view(UNIX_EPOCH));
+        for stroke in &drawing.strokes {
+            let [from, to] = [stroke.from, stroke.to].map(|at| DVec2::from(at.map(f64::from)));
+            let [along, dash, gap] = [stroke.along, stroke.dash, stroke.gap].map(f64::from);
+            for share in (0..50).map(|i| (f64::from(i) + 0.5) / 50.0) {
+                let period = dash + gap;
+                let phase = (along + share * from.distance(to)) % period;
+                if [phase, phase - dash, phase - period].iter().any(|off| off.abs() < ENDS) {
+                    continue;
+                }
+                let is_drawn = gap == 0.0 || phase < dash;
+                let place = middle + from.lerp(to, share);
+                assert_eq!(painted(place), Some(is_drawn), "{side} {place} {stroke:?}");
+                counts[usize::from(is_drawn)] += 1;
+            }
+        }
+        assert!(counts.iter().all(|count| *count > 100), "{side}: {counts:?}");
+        let mut dashes = 0;
+        for lane in map.lanes() {
+            for mark in lane.road_marks() {
+                for stroke in MarkStroke::of(&mark, lane.number()) {
+                    let line = stroke.line(&lane, &mark);
+                    for dash in stroke.painted(&line) {
+                        let ends = [dash[0], dash[dash.len() - 1]];
+                        for share in [0.02, 0.98] {
+                            let place = ends[0].lerp(ends[1], share).truncate();
+                            // A chord of three metres leaves the bend by two centimetres.
+                            assert_eq!(painted(place), Some(true), "{side} {place} {stroke:?}");
+                        }
+                        dashes += 1;
+                    }
+                }
+            }
+        }
+        // From 1.5 m on every 9 m; the first line, and the second in two parts.
+        assert_eq!(dashes, 14 + 1 + 2, "{side}");
+    }
 }

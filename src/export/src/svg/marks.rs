@@ -35,11 +35,11 @@ fn draw(
         class(stroke.color),
         stroke.width
     )?;
-    if let Some([length, space]) = stroke.dashes {
-        write!(out, " stroke-dasharray=\"{length:.3} {space:.3}\"")?;
-    }
     write!(out, " d=\"")?;
-    points(line.into_iter(), paper, 'M', out)?;
+    // Dashes lie at s, which is no length along the line: each is drawn by itself.
+    for dash in stroke.painted(&line) {
+        points(dash.into_iter(), paper, 'M', out)?;
+    }
     writeln!(out, "\"/>")
 }
 

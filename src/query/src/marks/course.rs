@@ -66,9 +66,7 @@ pub(super) fn along<'m>(
             visit(Course { owner, slab, mark, line: None, s: of_mark, number: [mark_number, 0] });
         }
         for (line_number, line) in mark.lines().enumerate() {
-            let start = mark.written_s() + line.s_offset;
-            // An explicit line is there once.
-            let end = if line.space.is_none() { start + line.length } else { f64::INFINITY };
+            let [start, end] = mark.extent_of(&line).s;
             let s = [of_mark[0].max(start), of_mark[1].min(end)];
             if s[0] <= s[1] {
                 let number = [mark_number, line_number];
@@ -156,13 +154,8 @@ impl<'m> Course<'m> {
             let whole = [Solid, SolidSolid, Curb, Edge, Grass].contains(&self.mark.kind());
             return whole.then_some(true);
         };
-        let period = line.length + line.space.unwrap_or(0.0);
-        let gone = s - (self.mark.written_s() + line.s_offset);
         // An explicit line ends where its course does.
-        if line.space.is_none_or(|space| space <= 0.0) || period <= 0.0 {
-            return Some(true);
-        }
-        Some(gone.rem_euclid(period) <= line.length)
+        Some(self.mark.extent_of(&line).is_in_dash(s))
     }
 
     /// What the course is made of: closed forms where the reference line is a line or an arc, and the line keeps beside it.

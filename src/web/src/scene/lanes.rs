@@ -1,7 +1,7 @@
 //! Lanes: areas, borders, reference lines, marks, directions.
 
-use super::{place, sections};
-use crate::drawing::{Drawing, EdgePoint, Fill, Pen};
+use super::{MOST_PARTS, place, sections};
+use crate::drawing::{Dashes, Drawing, EdgePoint, Fill, Pen};
 use crate::paint::Paint;
 use crate::strokes::MarkStroke;
 use mapd_query::glam::DVec2;
@@ -66,13 +66,13 @@ pub(super) fn marks(map: Map<'_>, drawing: &mut Drawing) {
         for lane in section.lanes() {
             for mark in lane.road_marks() {
                 for stroke in MarkStroke::of(&mark, lane.number()) {
-                    let pen = Pen {
-                        paint: Paint::from(stroke.color) as u8,
-                        level,
-                        width: stroke.width,
-                        dashes: stroke.dashes,
-                    };
-                    drawing.line(stroke.line(&lane, &mark).into_iter(), &pen);
+                    let pen =
+                        Pen { paint: Paint::from(stroke.color) as u8, level, width: stroke.width };
+                    let from = stroke.extent.pattern_s;
+                    let dashes = stroke.extent.dashes.map(|lengths| Dashes { from, lengths });
+                    let line = stroke.line(&lane, &mark).into_iter();
+                    let point = |at: LinePoint| EdgePoint { s: at.s, position: at.position };
+                    drawing.line_along(line.map(point), dashes, &pen);
                 }
             }
         }
@@ -84,7 +84,7 @@ pub(super) fn directions(map: Map<'_>, drawing: &mut Drawing) {
     for (level, section) in sections(map) {
         drawing.near(place(&section).truncate());
         let (start, end) = (section.s_start(), section.s_end());
-        let count = ((end - start) / WAY_STEP).round().max(1.0) as usize;
+        let count = ((end - start) / WAY_STEP).round().max(1.0).min(MOST_PARTS) as usize;
         let is_shown = |lane: &Lane<'_>| lane.kind().is_drivable() && !lane.is_bidirectional();
         for lane in lanes(&section).filter(is_shown).filter(|_| end - start >= SHORTEST_WAY) {
             for i in 0..count {

@@ -105,7 +105,7 @@ pub(super) fn stop_lines(map: Map<'_>, drawing: &mut Drawing) {
     for (at, (lane, s)) in in_tiles(lines.collect()) {
         drawing.near(at.truncate());
         let level = level_of(map, &lane);
-        let pen = Pen { paint: Paint::StopLine as u8, level, width: STOP_LINE, dashes: None };
+        let pen = Pen { paint: Paint::StopLine as u8, level, width: STOP_LINE };
         drawing.line(lane.edge_points_at(s).into_iter().flatten(), &pen);
     }
 }
