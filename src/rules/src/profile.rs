@@ -53,12 +53,17 @@ pub(crate) fn lane_offset_at(section: &SectionIn<'_>, s: f64) -> f64 {
     value_at(&section.lanes.lane_offset, s)
 }
 
-/// Width of a lane at a distance from its section's start `[m]`; none where it has borders instead.
+/// Width of a lane at a distance from its section's start `[m]`, as written; none where it has borders instead.
 pub(crate) fn width_at(lane: &Lane, ds: f64) -> Option<f64> {
     if lane.width.is_empty() && !lane.border.is_empty() {
         return None;
     }
     Some(value_at(&lane.width, ds))
+}
+
+/// Width that a lane is built with: one below 0 is none.
+fn built_width_at(lane: &Lane, ds: f64) -> Option<f64> {
+    Some(width_at(lane, ds)?.max(0.0))
 }
 
 /// The borders of a side at a distance from the section's start: (id, inner t, outer t) from the center outwards.
@@ -70,7 +75,7 @@ pub(crate) fn borders_at<'a>(
     let sign = if side == Side::Left { 1.0 } else { -1.0 };
     let mut inner = lane_offset_at(section, section.s() + ds);
     section.outwards(side).map(move |lane| {
-        let outer = match width_at(lane, ds) {
+        let outer = match built_width_at(lane, ds) {
             Some(width) => inner + sign * width,
             None => value_at(&lane.border, ds),
         };
@@ -85,7 +90,7 @@ pub(crate) fn outermost_at(section: &SectionIn<'_>, side: Side, ds: f64) -> f64 
     let (lanes, center) = (section.side(side), lane_offset_at(section, section.s() + ds));
     let sign = if side == Side::Left { 1.0 } else { -1.0 };
     // Widths may be added in any order.
-    let sum = lanes.iter().try_fold(0.0, |sum, lane| Some(sum + width_at(lane, ds)?));
+    let sum = lanes.iter().try_fold(0.0, |sum, lane| Some(sum + built_width_at(lane, ds)?));
     match sum {
         Some(sum) => center + sign * sum,
         None => borders_at(section, side, ds).last().map_or(center, |border| border.2),
