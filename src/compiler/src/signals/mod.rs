@@ -20,8 +20,8 @@ pub(crate) fn complete(
     options: &CompileOptions,
 ) -> Vec<Finding> {
     objects::resolve(rows);
-    place::place(rows, resolved);
     let mut findings = attach::attach(rows, resolved, options.lane_reach);
+    findings.extend(place::place(rows, resolved));
     // Neither needs what the other finds.
     let seen = &*rows;
     let (right_of_way, (speed_signs, endless)) =

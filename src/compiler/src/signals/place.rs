@@ -1,26 +1,47 @@
-//! Where signals stand, and where they face.
+//! Where signals stand, and where they face: against the traffic that they are for.
 
 use crate::draft::Position;
+use crate::findings::finding;
 use crate::resolve::Resolved;
 use crate::sample::view;
 use glam::DVec3;
 use mapd_archive::{Orientation, Rows, SignalRow, signal_flags};
 use mapd_geometry::{beside, clamp, normalize_angle};
+use mapd_query::compiling::ByRow as _;
 use mapd_query::{Map, Road, Track};
-use std::f64::consts::PI;
+use mapd_rules::catalog::building;
+use mapd_xodr::{Finding, Severity};
+use std::f64::consts::{FRAC_PI_4, PI};
 
 /// A place in space and the direction of the face's normal.
 type Standing = (DVec3, f64);
 
-/// Fills x, y, z and facing of all signals. Carriers of boards come before what they carry.
-pub(super) fn place(rows: &mut Rows, resolved: &Resolved) {
+/// Traffic that travels within this of a face's normal sees the back of it `[rad]`.
+const BACK: f64 = FRAC_PI_4;
+
+/// Fills x, y, z and facing of all signals, whose lanes are known. Carriers of boards come before what they carry. Those that are turned round are findings.
+pub(super) fn place(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
+    let mut findings = Vec::new();
     let mut found: Vec<Option<Standing>> = Vec::with_capacity(rows.signals.len());
     {
         let archive = view(rows);
         let map = Map::new(&archive, 0);
         let roads: Vec<Road<'_>> = map.roads().collect();
-        for (row, (position, on_carrier)) in rows.signals.iter().zip(&resolved.positions) {
-            let own = standing(&roads, row, position, &resolved.roads);
+        let mut by_signal: Vec<usize> = (0..rows.signal_places.len()).collect();
+        by_signal.sort_by_key(|place| rows.signal_places[*place].signal);
+        let mut rest = &by_signal[..];
+        let signals = rows.signals.iter().zip(&resolved.positions);
+        for (number, (row, (position, on_carrier))) in (0..).zip(signals) {
+            let count = rest.partition_point(|place| rows.signal_places[*place].signal <= number);
+            let (places, later) = rest.split_at(count);
+            rest = later;
+            let mut own = standing(&roads, row, position, &resolved.roads);
+            if let Some((_, facing)) = &mut own
+                && shows_back(map, rows, places, *facing)
+            {
+                *facing = normalize_angle(*facing + PI);
+                findings.extend(places.first().and_then(|place| turned(resolved, *place)));
+            }
             let carrier = found.get(row.carrier as usize).copied().flatten();
             found.push(match (on_carrier, carrier) {
                 (Some(shift), Some(carrier)) => Some(on(carrier, **shift, own)),
@@ -37,6 +58,40 @@ pub(super) fn place(rows: &mut Rows, resolved: &Resolved) {
             row.flags |= signal_flags::CLAMPED;
         }
     }
+    findings
+}
+
+/// Whether all drivable lanes that some places of a signal are for travel the way that its face looks: RoadRunner wrote signs so for years.
+fn shows_back(map: Map<'_>, rows: &Rows, places: &[usize], facing: f64) -> bool {
+    let mut shows = false;
+    for place in places.iter().filter_map(|place| rows.signal_places.get(*place)) {
+        for one in place.lanes.of(&rows.signal_lanes) {
+            let Some(lane) = map.lane_by_row(one.lane).filter(|lane| lane.kind().is_drivable())
+            else {
+                continue;
+            };
+            let way = lane.waypoint_at(place.s).map(|at| normalize_angle(at.heading - facing));
+            let is_back = way.is_ok_and(|way| way.abs() <= BACK) && !lane.is_bidirectional();
+            if !is_back {
+                return false;
+            }
+            shows = true;
+        }
+    }
+    shows
+}
+
+/// A signal that is turned round, by one of its places.
+fn turned(resolved: &Resolved, place: usize) -> Option<Finding> {
+    Some(finding(
+        &building::SIGNAL_FACING,
+        Severity::Warning,
+        resolved.places.get(place)?.span,
+        "OpenDRIVE/road/signals".to_owned(),
+        "it would show its back to all lanes that it applies to; it is turned to face them"
+            .to_owned(),
+        "write the orientation and hOffset of the traffic that it is for",
+    ))
 }
 
 fn standing(

@@ -259,6 +259,18 @@ pub const SIGNAL_LANES: Rule = warning(
     ],
 );
 
+/// A signal that shows its back to its traffic.
+pub const SIGNAL_FACING: Rule = warning(
+    "mapd:compile.signal_facing",
+    "A signal faces the traffic that it is for; one that shows its back to all of its lanes is turned round.",
+    [
+        SIGNAL,
+        Signals(
+            r#"<signal id="1" s="10" t="-4" zOffset="2" hOffset="3.14" dynamic="no" orientation="+" type="274" subtype="50" country="DE"/>"#,
+        ),
+    ],
+);
+
 /// A zone of a speed limit that no sign ends.
 pub const ZONE_END: Rule = warning(
     "mapd:compile.zone_end",
@@ -511,6 +523,7 @@ pub(super) static RULES: &[&[Rule]] = &[&[
     SPEED_PLAUSIBLE,
     OBJECT_LANE,
     SIGNAL_LANES,
+    SIGNAL_FACING,
     ZONE_END,
     SIGNAL_REFERENCE,
     CONTACT_POINT,
