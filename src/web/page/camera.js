@@ -1,5 +1,7 @@
 // What of the map is seen: its middle [m, relative to the drawing's middle], pixels a metre, and turn [rad].
 const CLOSEST = 400, MARGIN = 0.94;
+// What a key or a button zooms by.
+const ZOOM = 1.4;
 
 class Camera {
   constructor(canvas, changed) {
@@ -119,7 +121,7 @@ class Camera {
     const move = (dx, dy) => { this.x += step * (c * dx + s * dy); this.y += step * (c * dy - s * dx); this.changed(); };
     const keys = {
       ArrowLeft: () => move(-1, 0), ArrowRight: () => move(1, 0), ArrowUp: () => move(0, 1), ArrowDown: () => move(0, -1),
-      "+": () => this.zoom(1.4), "=": () => this.zoom(1.4), "-": () => this.zoom(1 / 1.4),
+      "+": () => this.zoom(ZOOM), "=": () => this.zoom(ZOOM), "-": () => this.zoom(1 / ZOOM),
       ",": () => this.rotate(0.1), ".": () => this.rotate(-0.1), n: () => this.rotate(-this.turn),
     };
     keys[key]?.();

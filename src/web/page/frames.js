@@ -1,8 +1,8 @@
 // Frames that are drawn piece by piece, so that a large map on a slow machine still moves at once: a picture is drawn out of sight, as far as
 // time allows in each frame, and what is seen is the last picture that is complete, moved and turned to where the map is now.
 
-// What drawing may take of each frame [ms], and corners that are drawn between two looks at the clock.
-const BUDGET = 12, LOOK = 6000;
+// What drawing may take of each frame [ms], while the view moves and once it rests, and corners that are drawn between two looks at the clock.
+const BUDGET = 12, RESTING = 80, LOOK = 6000;
 // A picture that takes longer [ms] shows that there is no graphics card: the next ones have no smoothed edges.
 const SLOW = 100;
 // Samples of a pixel, for smooth edges.
@@ -74,8 +74,11 @@ class Frames {
       this.back ??= Object.assign(this.room(this.size), { samples: this.samples });
       this.job = { wanted, what, view, pieces: pieces(view), prepared: null, took: 0 };
     }
-    if (this.job) this.draw(all ? Infinity : BUDGET);
-    this.present(view, back);
+    const { front, last } = this;
+    if (this.job) this.draw(all ? Infinity : last === wanted ? RESTING : BUDGET);
+    // What is on the screen stays there: where nothing else is to be seen, all the time is the picture's.
+    if (all || last !== wanted || front !== this.front) this.present(view, back);
+    this.last = wanted;
     return this.front?.wanted !== wanted;
   }
 

@@ -8,7 +8,8 @@ class List extends Panel {
   // Shows parts that are left out, as many as there are in all, and the file's findings, null where they are not known.
   show(parts, leftOut, found) {
     const findings = found?.findings ?? [], of = severity => findings.filter(one => one.severity === severity);
-    const views = [["left out", `Left out (${leftOut})`, parts], ...SEVERITIES.map(([name, title]) => [name, `${title} (${of(name).length})`, of(name)]), ["all", `All findings (${findings.length})`, findings]];
+    const all = findings.length + (found?.not_kept ?? 0);
+    const views = [["left out", `Left out (${leftOut})`, parts], ...SEVERITIES.map(([name, title]) => [name, `${title} (${of(name).length})`, of(name)]), ["all", `All findings (${all})`, findings]];
     this.views = views.filter(([, , rows]) => rows.length);
     const choice = element("select", { ariaLabel: "Which" }, ...this.views.map(([value, textContent]) => element("option", { value, textContent })));
     const words = element("input", { type: "search", placeholder: "words, rules, places", ariaLabel: "Only rows with these words" });
@@ -19,7 +20,7 @@ class List extends Panel {
     for (const name of ["all", ...SEVERITIES.map(([severity]) => severity)]) this.notes[name] = more;
     if (!found) this.notes["left out"] += " Other findings are known only of an OpenDRIVE file.";
     this.body = element("div", { className: "body" });
-    this.open(leftOut ? `Left out: ${leftOut}` : `Findings: ${findings.length + found.not_kept}`, form, this.body);
+    this.open([leftOut && `Left out: ${leftOut}`, all && `Findings: ${all}`].filter(Boolean).join(", "), form, this.body);
     this.fill(choice.value, "");
   }
 

@@ -48,7 +48,8 @@ class Viewer {
     this.camera.farthest = 50 / Math.max(map.bounds[1][0] - map.bounds[0][0], map.bounds[1][1] - map.bounds[0][1], 1);
     this.upload();
     const count = (number, one, many) => `${number.toLocaleString("en")} ${number === 1 ? one : many}`;
-    $("about").textContent = [map.name, map.generation ? `generation ${map.generation}` : "", count(map.lanes, "lane", "lanes"), count(map.signals, "signal", "signals"), count(map.objects, "object", "objects"),
+    const name = map.name || (this.live ? this.live.names[this.live.number] : document.title);
+    $("about").textContent = [name, map.generation ? `generation ${map.generation}` : "", count(map.lanes, "lane", "lanes"), count(map.signals, "signal", "signals"), count(map.objects, "object", "objects"),
       `${(map.road_length / 1000).toFixed(1)} km of roads`].filter(Boolean).join(" · ");
     const found = this.found();
     $("show-list").hidden = !map.left_out && !found;
@@ -113,10 +114,10 @@ class Viewer {
   }
 
   changed() {
-    if (this.asked) return;
-    this.asked = requestAnimationFrame(() => this.frame());
+    // Also while a picture is drawn over several frames: the address is that of the last change.
     clearTimeout(this.writing);
     this.writing = setTimeout(() => this.writeAddress(), 300);
+    this.asked ||= requestAnimationFrame(() => this.frame());
   }
 
   // Draws as far as a frame has time, and goes on in the next one.
@@ -293,10 +294,11 @@ class Viewer {
     $("show-list").setAttribute("aria-pressed", false);
   }
 
-  // Closes what is open: a way of clicking first, then the sheet, then the list.
+  // Closes what is open, one thing at a time: a way of clicking first, then the sheet, the list, the layers.
   close() {
     if (this.mode !== "look") return this.setMode(this.mode);
-    if ($("panel").hidden) this.closeList();
+    if ($("panel").hidden && !$("list").hidden) return this.closeList();
+    if ($("panel").hidden && !$("layers").hidden) return this.toggleLayers();
     this.clear();
   }
 
@@ -306,6 +308,9 @@ class Viewer {
     addEventListener("keydown", event => this.key(event));
     addEventListener("hashchange", () => this.goToAddress());
     $("fit").onclick = () => this.fit();
+    $("closer").onclick = () => this.camera.zoom(ZOOM);
+    $("farther").onclick = () => this.camera.zoom(1 / ZOOM);
+    $("help").onclick = () => this.panel.help(KEYS);
     $("route").onclick = () => this.setMode("route");
     $("measure").onclick = () => this.setMode("measure");
     $("theme").onclick = () => { this.dark = !this.dark; this.setTheme(); };

@@ -11,7 +11,7 @@ const FAR = 0.5;
 const FARTHEST = 0.3, FAR_PIECE = 12;
 // Corners that are drawn at a time at most: a multiple of 3 and of 4.
 const PIECE = 6000;
-// Radius of a signal [m], and its least and largest radius on the screen [pixels].
+// Radius of a signal [m], and its least and largest radius on the screen [pixels]; the least one shrinks where roads are but lines.
 const SIGN = [0.8, 3.4, 12];
 
 // A drawing of lines with fewer pieces: those that go on where the last one ended are one with it, up to a length.
@@ -271,7 +271,8 @@ class Painter {
       if (isFar) yield* this.strokes(camera.scale < FARTHEST ? this.layers.get("far lines") : made, camera, ratio, seen, this.stroke, { thinnest: 1.6, tint: rgba("driving", this.dark) });
       if (name === "lanes" || !made || !shown.has(name) || camera.scale < from) continue;
       if (name === "signals") {
-        const radius = Math.min(SIGN[2], Math.max(SIGN[1], SIGN[0] * camera.scale));
+        const least = SIGN[1] * Math.sqrt(Math.min(1, camera.scale / FAR));
+        const radius = Math.min(SIGN[2], Math.max(least, SIGN[0] * camera.scale));
         yield* this.strokes(made, camera, ratio, seen, this.sign, { radius });
         continue;
       }

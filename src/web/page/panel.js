@@ -6,6 +6,9 @@ function element(name, properties = {}, ...children) {
   return made;
 }
 
+// Letters of a cell from which it may be broken between words; numbers and keys of lanes stay whole.
+const LONG = 28;
+
 class Panel {
   // `go` is called with a link that is followed.
   constructor(root, go, close) {
@@ -51,7 +54,8 @@ class Panel {
   table(heads, rows) {
     const head = element("tr", {}, ...heads.map(text => element("th", { textContent: text })));
     const body = rows.map(row => element("tr", {}, ...row.map(cell => {
-      const of = element("td", { className: typeof cell === "number" ? "number" : "" });
+      const isLong = typeof cell === "string" && cell.length > LONG;
+      const of = element("td", { className: typeof cell === "number" ? "number" : isLong ? "words" : "" });
       of.append(typeof cell === "number" ? cell.toFixed(1) : typeof cell === "string" ? cell : this.words(cell));
       return of;
     })));

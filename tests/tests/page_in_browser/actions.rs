@@ -151,10 +151,11 @@ fn the_list_and_the_sheet_have_panes_of_their_own() {
         const [a, b, c, d] = bounds, at = viewer.camera.toPage(...viewer.near((a + c) / 2, (b + d) / 2));
         return document.elementFromPoint(...at).id; })()";
     assert_eq!(browser.evaluate(beside), json!("map"));
-    for left in [json!(["list", "layers"]), json!(["layers"]), json!(["layers"])] {
+    for left in [json!(["list", "layers"]), json!(["layers"]), json!([])] {
         browser.key("Escape");
         assert_eq!(browser.evaluate(open), left);
     }
+    browser.key("l");
     // The same key opens and closes it; on a phone the sheet lies over the list, which is there again without it.
     for left in [json!(["list", "layers"]), json!(["layers"]), json!(["list", "layers"])] {
         browser.key("f");
@@ -260,4 +261,16 @@ fn hostile_names_do_nothing() {
         json!(["map", 0, 6])
     );
     assert_eq!(browser.complaints, [""; 0]);
+}
+
+/// The address is that of the last change, also while a picture takes more than one frame.
+#[test]
+fn the_address_follows_while_a_picture_is_drawn() {
+    let snapshot = open(&mapd_tests::carried("town.xodr"));
+    let Some(mut browser) = browser(&snapshot) else { return };
+    // A picture that never ends: each frame asks for another.
+    browser.evaluate("viewer.paint = () => true; viewer.changed()");
+    let address = "new Promise(done => { viewer.camera.zoom(2); const scale = `,${+viewer.camera.scale.toPrecision(4)},`;
+        const look = () => location.hash.includes(scale) ? done(true) : setTimeout(look, 20); look(); setTimeout(() => done(false), 5000); })";
+    assert_eq!(browser.evaluate(address), json!(true));
 }

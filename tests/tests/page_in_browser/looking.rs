@@ -56,6 +56,19 @@ fn keys_move_zoom_and_turn() {
     browser.key("Escape");
     browser.key("/");
     assert_eq!(browser.evaluate("document.activeElement.id"), "text");
+    // Buttons zoom as keys do.
+    let scale = |browser: &mut Browser| {
+        browser.evaluate("viewer.camera.scale").as_f64().unwrap_or_default()
+    };
+    let before = scale(&mut browser);
+    browser.evaluate("document.querySelector('#closer').click()");
+    assert!((scale(&mut browser) / before - 1.4).abs() < 1e-9);
+    browser.evaluate("document.querySelector('#farther').click()");
+    assert!((scale(&mut browser) / before - 1.0).abs() < 1e-9);
+    browser.evaluate("document.querySelector('#help').click()");
+    assert_eq!(browser.evaluate("document.querySelector('#panel h1').textContent"), "Keys");
+    browser.key("Escape");
+    browser.key("/");
     // In the search field letters are letters.
     browser.key("m");
     assert_eq!(browser.evaluate("viewer.mode"), "look");
