@@ -9,7 +9,7 @@ use mapd_client::view::Restriction;
 /// How far apart the corners of a drawn stretch are at most `[m]`, unless it had more than [`MOST_PARTS`].
 const STEP: f64 = 2.0;
 /// Parts that one stretch is drawn in at most: none is so long but in a damaged archive.
-const MOST_PARTS: f64 = 16_384.0;
+const MOST_PARTS: usize = 1 << 14;
 
 /// Its class in a drawing.
 #[cfg(feature = "svg")]
@@ -26,7 +26,7 @@ pub(super) fn class(kind: OverlayKind) -> &'static str {
 pub(super) fn area(map: Map<'_>, one: &Restriction<'_>) -> Option<Vec<DVec3>> {
     let lane = map.lane(one.lane).ok()?;
     let length = one.s_to - one.s_from;
-    let count = (length / STEP).ceil().max(1.0).min(MOST_PARTS) as usize;
+    let count = ((length / STEP).ceil() as usize).clamp(1, MOST_PARTS);
     let at = |i: usize| lane.edge_points_at(one.s_from + length * i as f64 / count as f64);
     let edges: Vec<[DVec3; 2]> = (0..=count).map(at).collect::<Option<_>>()?;
     let inner = edges.iter().map(|[inner, _]| *inner);

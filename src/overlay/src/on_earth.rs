@@ -15,7 +15,7 @@ use std::ops::RangeInclusive;
 const AREA_STEP: f64 = 0.5;
 
 /// Cross-sections between two stored points of a lane at most: those of 1,000 km. Only a damaged archive has longer stretches.
-const MOST_STATIONS: f64 = 2_097_152.0;
+const MOST_STATIONS: usize = 1 << 21;
 
 /// Ends are found to this `[m]`.
 const EXACT: f64 = 1e-3;
@@ -139,9 +139,9 @@ impl<'p> Area<'p> {
             let is_near = a.max(b).cmpge(region.low - reach).all()
                 && a.min(b).cmple(region.high + reach).all();
             if is_near {
-                let count = ((to - from) / AREA_STEP).ceil().max(1.0).min(MOST_STATIONS);
-                stations
-                    .extend((0..=count as usize).map(|i| from + (to - from) * i as f64 / count));
+                let count = (((to - from) / AREA_STEP).ceil() as usize).clamp(1, MOST_STATIONS);
+                let at = |i: usize| from + (to - from) * i as f64 / count as f64;
+                stations.extend((0..=count).map(at));
             }
         }
         // What is narrower than a step.

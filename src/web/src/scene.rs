@@ -14,11 +14,12 @@ use mapd_query::view::View;
 use mapd_query::{LaneSection, Map};
 
 /// Parts that one stretch is drawn in at most: none is so long but in a damaged archive.
-const MOST_PARTS: f64 = 16_384.0;
+const MOST_PARTS: usize = 1 << 14;
 
 /// Parts of equal length that a stretch is drawn in, none longer than a step unless there were too many.
 fn parts(length: f64, step: f64) -> usize {
-    (length / step).ceil().max(1.0).min(MOST_PARTS) as usize
+    // Casts saturate.
+    ((length / step).ceil() as usize).clamp(1, MOST_PARTS)
 }
 
 /// What can be shown and hidden.

@@ -12,7 +12,7 @@ use std::str::FromStr;
 /// From point to point of the drawn line `[m]`.
 const STEP: f64 = 0.5;
 /// Places of a line at most; on a way of more than 2,000 km they are farther apart.
-const MOST_PARTS: f64 = 4_194_304.0;
+const MOST_PARTS: usize = 1 << 22;
 
 /// Two places on lanes, which are parsed from `ROAD,S,LANE:ROAD,S,LANE`: ids of roads as the file has them, s `[m]`.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +78,7 @@ pub(super) fn line(map: Map<'_>, ends: &RouteEnds) -> Result<Vec<mapd_client::gl
         .ok_or_else(|| ExportError::NoRoute(format!("no way for {}", car.name())))?;
     let mut buffer = PathBuffer::default();
     let path = map.path(&steps, &PathOptions::default(), &mut buffer)?;
-    let count = (path.length() / STEP).ceil().max(1.0).min(MOST_PARTS) as usize;
+    let count = ((path.length() / STEP).ceil() as usize).clamp(1, MOST_PARTS);
     let along = |i: usize| path.length() * i as f64 / count as f64;
     (0..=count).map(|i| Ok(path.at(along(i))?.position.truncate())).collect()
 }

@@ -84,7 +84,7 @@ pub(super) fn directions(map: Map<'_>, drawing: &mut Drawing) {
     for (level, section) in sections(map) {
         drawing.near(place(&section).truncate());
         let (start, end) = (section.s_start(), section.s_end());
-        let count = ((end - start) / WAY_STEP).round().max(1.0).min(MOST_PARTS) as usize;
+        let count = (((end - start) / WAY_STEP).round() as usize).clamp(1, MOST_PARTS);
         let is_shown = |lane: &Lane<'_>| lane.kind().is_drivable() && !lane.is_bidirectional();
         for lane in lanes(&section).filter(is_shown).filter(|_| end - start >= SHORTEST_WAY) {
             for i in 0..count {
