@@ -53,7 +53,8 @@ impl Server {
             let stream = Arc::new(stream);
             let Ok(place) = places.take(0, stream.clone()) else {
                 // The buffer of a connection that is new has room for it. Who hangs up needs no answer.
-                let _ = refuse(&stream, "503 Service Unavailable", "", "too many connections");
+                let _ =
+                    refuse(&stream, "503 Service Unavailable", "", "too many connections", false);
                 continue;
             };
             // Who listens has lost its place, perhaps.
@@ -165,17 +166,23 @@ impl Reply<'_> {
 
     fn refuse(self, status: &str, more: &str, message: &str) -> io::Result<()> {
         self.place.go_on(Stage::Takes)?;
-        let message = if self.is_head { "" } else { message };
-        refuse(self.stream, status, more, message)
+        refuse(self.stream, status, more, message, self.is_head)
     }
 }
 
-fn refuse(mut stream: &TcpStream, status: &str, more: &str, message: &str) -> io::Result<()> {
-    let body = if message.is_empty() { String::new() } else { format!("{message}\n") };
+fn refuse(
+    mut stream: &TcpStream,
+    status: &str,
+    more: &str,
+    message: &str,
+    is_head: bool,
+) -> io::Result<()> {
+    let body = format!("{message}\n");
+    let length = body.len();
+    let body = if is_head { "" } else { body.as_str() };
     write!(
         stream,
-        "HTTP/1.1 {status}\r\nContent-Type: text/plain\r\n{HEADERS}{more}Content-Length: {}\r\n\r\n{body}",
-        body.len()
+        "HTTP/1.1 {status}\r\nContent-Type: text/plain\r\n{HEADERS}{more}Content-Length: {length}\r\n\r\n{body}"
     )
 }
 
