@@ -101,8 +101,8 @@ const PLAIN: &str = "junction=\"-1\"";
 
 /// All maps.
 pub fn all() -> Vec<GraphMap> {
-    vec![
-        direct_junction(),
+    let mut all = direct_junctions();
+    all.extend([
         virtual_junction(),
         virtual_connections(),
         path_across(),
@@ -114,44 +114,179 @@ pub fn all() -> Vec<GraphMap> {
         no_lane_links(),
         both_directions(),
         merge_and_split(),
-    ]
+    ]);
+    all
 }
 
-fn direct_junction() -> GraphMap {
+/// A direct junction of these connections: incoming road, linked road, the linked one's end, links.
+pub fn direct(connections: &[(&str, &str, &str, &str)]) -> String {
+    let one = |(id, (from, to, end, links)): (usize, &(&str, &str, &str, &str))| {
+        let ends = format!("incomingRoad=\"{from}\" linkedRoad=\"{to}\" contactPoint=\"{end}\"");
+        connection(&format!("id=\"{id}\" {ends}"), links)
+    };
+    junction("9", "type=\"direct\"", &connections.iter().enumerate().map(one).collect::<String>())
+}
+
+/// Road 1 leads to direct junction 9, roads 2 and 3 lead on behind it, the latter from the outer lane. Numbers of lanes have the sign of their side:
+/// `side` is −1 where traffic keeps to the right.
+pub fn exit_road(side: i32, connections: &str) -> String {
+    let attributes = if side < 0 { PLAIN.to_owned() } else { format!("{PLAIN} rule=\"LHT\"") };
+    let lanes = |numbers: &[i32]| {
+        let of = |left: bool| {
+            let mut own: Vec<_> = numbers.iter().filter(|n| (**n > 0) == left).collect();
+            own.sort_by_key(|n| -**n);
+            own.iter().map(|n| lane(**n, "")).collect::<String>()
+        };
+        section(0.0, &of(true), &of(false))
+    };
+    let beside = 3.5 * f64::from(side);
     let roads = [
         road(
             "1",
-            PLAIN,
+            &attributes,
             Line(0.0, 0.0, 0.0, 100.0, 0.0),
-            &link("s junction 100"),
-            &section(0.0, "", &(lane(-1, "") + &lane(-2, ""))),
+            &link("s junction 9"),
+            &lanes(&[-side, side, 2 * side]),
         ),
         road(
             "2",
-            PLAIN,
+            &attributes,
             Line(100.0, 0.0, 0.0, 100.0, 0.0),
-            &link("p junction 100"),
-            &section(0.0, "", &lane(-1, "")),
+            &link("p junction 9"),
+            &lanes(&[-side, side]),
         ),
         road(
             "3",
-            PLAIN,
-            Line(100.0, -3.5, 0.0, 100.0, -0.005),
-            &link("p junction 100"),
-            &section(0.0, "", &lane(-1, "")),
+            &attributes,
+            Line(100.0, beside, 0.0, 100.0, 0.005 * f64::from(side)),
+            &link("p junction 9"),
+            &lanes(&[side]),
         ),
     ];
-    let connections =
-        connection("id=\"0\" incomingRoad=\"1\" linkedRoad=\"2\" contactPoint=\"start\"", "-1>-1")
-            + &connection(
-                "id=\"1\" incomingRoad=\"1\" linkedRoad=\"3\" contactPoint=\"start\"",
-                "-2>-1",
-            );
-    GraphMap {
-        name: "direct junction",
-        text: document(&(roads.concat() + &junction("100", "type=\"direct\"", &connections))),
-        edges: &["1:0:-1+ > 2:0:-1+", "1:0:-2+ > 3:0:-1+"],
-    }
+    document(&(roads.concat() + connections))
+}
+
+fn direct_junctions() -> Vec<GraphMap> {
+    let edges = &["1:0:-1+ > 2:0:-1+", "1:0:-2+ > 3:0:-1+", "2:0:1- > 1:0:1-"];
+    let exit = ("1", "3", "start", "-2>-1");
+    let right = |name, connections: &[_]| GraphMap {
+        name,
+        text: exit_road(-1, &direct(connections)),
+        edges,
+    };
+    let two_way = || section(0.0, &lane(1, ""), &lane(-1, ""));
+    let width = "a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"";
+    let shared = || section(0.0, "", &wide(-1, " direction=\"both\"", "", width, ""));
+    let straight = |id: &str, x: f64, hdg: f64, links: &str, lanes: &str| {
+        road(id, PLAIN, Line(x, 0.0, hdg, 100.0, 0.0), &link(links), lanes)
+    };
+    let into = || straight("1", 0.0, 0.0, "s junction 9", &two_way());
+    let half = 20.0 * PI;
+    vec![
+        right(
+            "direct junction, oncoming lanes in the one connection",
+            &[("1", "2", "start", "1>1 -1>-1"), exit],
+        ),
+        right(
+            "direct junction, oncoming lanes in a connection of their own",
+            &[("1", "2", "start", "-1>-1"), exit, ("2", "1", "end", "1>1")],
+        ),
+        right(
+            "direct junction, every link written twice",
+            &[
+                ("1", "2", "start", "1>1 -1>-1"),
+                exit,
+                ("2", "1", "end", "1>1 -1>-1"),
+                ("3", "1", "end", "-1>-2"),
+            ],
+        ),
+        right("direct junction without lane links", &[("1", "2", "start", ""), exit]),
+        GraphMap {
+            name: "direct junction in left-hand traffic",
+            text: exit_road(
+                1,
+                &direct(&[("1", "2", "start", "-1>-1 1>1"), ("1", "3", "start", "2>1")]),
+            ),
+            edges: &["1:0:1+ > 2:0:1+", "1:0:2+ > 3:0:1+", "2:0:-1- > 1:0:-1-"],
+        },
+        GraphMap {
+            name: "direct junction of roads that both end there",
+            text: document(
+                &(into()
+                    + &straight("2", 200.0, PI, "s junction 9", &two_way())
+                    + &road(
+                        "3",
+                        PLAIN,
+                        Line(100.0, 0.0, 0.0, 100.0, -0.005),
+                        &link("p junction 9"),
+                        &section(0.0, "", &lane(-1, "")),
+                    )
+                    + &direct(&[("1", "2", "end", "1>-1 -1>1"), ("1", "3", "start", "-1>-1")])),
+            ),
+            edges: &["1:0:-1+ > 2:0:1- 3:0:-1+", "2:0:-1+ > 1:0:1-"],
+        },
+        GraphMap {
+            name: "direct junction, lanes in both directions",
+            text: document(
+                &(straight("1", 0.0, 0.0, "s junction 9", &shared())
+                    + &straight("2", 100.0, 0.0, "p junction 9", &shared())
+                    + &direct(&[("1", "2", "start", "-1>-1")])),
+            ),
+            edges: &["1:0:-1+ > 2:0:-1+", "2:0:-1- > 1:0:-1-"],
+        },
+        GraphMap {
+            name: "direct junction at either end of a road",
+            text: document(
+                &(road(
+                    "1",
+                    PLAIN,
+                    Line(20.0, 0.0, FRAC_PI_2, half, 0.05),
+                    &(link("p junction 9") + &link("s junction 9")),
+                    &two_way(),
+                ) + &road(
+                    "2",
+                    PLAIN,
+                    Line(-20.0, 0.0, -FRAC_PI_2, 50.0, 0.0),
+                    &link("p junction 9"),
+                    &two_way(),
+                ) + &road(
+                    "3",
+                    PLAIN,
+                    Line(20.0, -50.0, FRAC_PI_2, 50.0, 0.0),
+                    &link("s junction 9"),
+                    &two_way(),
+                ) + &direct(&[("1", "2", "start", "1>1 -1>-1"), ("1", "3", "end", "1>1 -1>-1")])),
+            ),
+            edges: &[
+                "1:0:-1+ > 2:0:-1+",
+                "1:0:1- > 3:0:1-",
+                "2:0:1- > 1:0:1-",
+                "3:0:-1+ > 1:0:-1+",
+            ],
+        },
+        GraphMap {
+            name: "direct junction where a ring closes",
+            text: document(
+                &(road(
+                    "1",
+                    PLAIN,
+                    Line(40.0, 0.0, FRAC_PI_2, 80.0 * PI, 0.025),
+                    &(link("p junction 9") + &link("s junction 9")),
+                    &two_way(),
+                ) + &road(
+                    "2",
+                    PLAIN,
+                    Line(40.0, 0.0, FRAC_PI_2, 50.0, 0.0),
+                    &link("p junction 9"),
+                    &two_way(),
+                ) + &direct(&[
+                    ("1", "1", "start", "1>1 -1>-1"),
+                    ("1", "2", "start", "1>1 -1>-1"),
+                ])),
+            ),
+            edges: &["1:0:-1+ > 1:0:-1+ 2:0:-1+", "1:0:1- > 1:0:1-", "2:0:1- > 1:0:1-"],
+        },
+    ]
 }
 
 fn virtual_junction() -> GraphMap {

@@ -164,6 +164,10 @@ impl Document<'_> {
             return out;
         }
         let Some(junction) = self.junctions.get(target) else { return out };
+        if junction.get("type") == Some("direct") {
+            self.leave_directly(id, junction, id_of(lane), forward, &mut out);
+            return out;
+        }
         let here = |at_end| {
             let link = road_link(road, at_end);
             link.is_some_and(|link| {
@@ -197,6 +201,46 @@ impl Document<'_> {
             }
         }
         out
+    }
+
+    /// At a direct junction, links lead from either road into the other, as their lanes travel.
+    fn leave_directly(
+        &self,
+        id: &str,
+        junction: &Element,
+        lane: i32,
+        forward: bool,
+        out: &mut BTreeSet<Node>,
+    ) {
+        let number = |link: &Element, name| link.get(name).and_then(|id: &str| id.parse().ok());
+        let own_end = if forward { "end" } else { "start" };
+        for connection in junction.all("connection") {
+            let linked = connection.get("linkedRoad").or(connection.get("connectingRoad"));
+            let (incoming, contact) =
+                (connection.get("incomingRoad"), connection.get("contactPoint"));
+            let (Some(incoming), Some(linked)) = (incoming, linked) else { continue };
+            let links: Vec<(i32, i32)> = connection
+                .all("laneLink")
+                .filter_map(|link| Some((number(link, "from")?, number(link, "to")?)))
+                .collect();
+            let pairs = if links.is_empty() { vec![(lane, lane)] } else { links };
+            for (from, to) in pairs {
+                if incoming == id && from == lane {
+                    self.enter_end(linked, contact, to, out);
+                }
+                if linked == id && to == lane && contact == Some(own_end) {
+                    let names = |at_end| {
+                        let link = road_link(self.roads.get(incoming)?, at_end)?;
+                        (link.get("elementId") == junction.get("id")).then_some(())
+                    };
+                    for (at_end, end) in [(false, "start"), (true, "end")] {
+                        if names(at_end).is_some() {
+                            self.enter_end(incoming, Some(end), from, out);
+                        }
+                    }
+                }
+            }
+        }
     }
 
     fn enter_end(&self, road: &str, contact: Option<&str>, lane: i32, out: &mut BTreeSet<Node>) {

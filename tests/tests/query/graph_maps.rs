@@ -58,6 +58,20 @@ fn each_map_has_its_edges() {
     }
 }
 
+/// The links of a direct junction may all stand in the connections from one road, in some from either, or twice: that draws no finding.
+#[test]
+fn direct_junctions_are_sound_whichever_way_they_are_written() {
+    let direct =
+        all().into_iter().filter(|map| map.name.contains("oncoming") || map.name.contains("twice"));
+    for map in direct {
+        for finding in compiled(&map.text, CyclePolicy::default()).diagnostics {
+            let finding = finding.finding;
+            let is_about = finding.rule.contains("junction");
+            assert!(!is_about || finding.severity < Severity::Warning, "{}: {finding:?}", map.name);
+        }
+    }
+}
+
 #[test]
 fn a_virtual_junction_cuts_nodes_but_no_lane() {
     let map = all().into_iter().find(|map| map.name.starts_with("virtual")).expect("a map");
@@ -290,6 +304,27 @@ fn broken() -> Vec<Broken> {
             "mapd:graph.no_place",
             Severity::Warning,
             "<laneLink from=\"-1\" to=\"-1\"",
+        ),
+        (
+            "a direct junction's link between lanes that both lead in",
+            exit_road(-1, &direct(&[("1", "2", "start", "-1>1"), ("1", "3", "start", "-2>-1")])),
+            "mapd:graph.direction",
+            Severity::Warning,
+            "<laneLink from=\"-1\" to=\"1\"",
+        ),
+        (
+            "a direct junction's link between lanes that both lead out",
+            exit_road(-1, &direct(&[("1", "2", "start", "1>-1"), ("1", "3", "start", "-2>-1")])),
+            "mapd:graph.direction",
+            Severity::Warning,
+            "<laneLink from=\"1\" to=\"-1\"",
+        ),
+        (
+            "a direct junction's link from a lane that is not there",
+            exit_road(-1, &direct(&[("1", "2", "start", "-5>-1"), ("1", "3", "start", "-2>-1")])),
+            "mapd:graph.missing_lane",
+            Severity::Error,
+            "<laneLink from=\"-5\" to=\"-1\"",
         ),
         (
             "a path across to a lane that is not there",

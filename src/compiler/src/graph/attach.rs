@@ -1,4 +1,5 @@
-//! Edges at places inside a road, where roads of virtual junctions attach (OpenDRIVE 1.8.1, 12.7).
+//! Edges at places inside a road, where roads of virtual junctions attach (OpenDRIVE 1.8.1, 12.7), and all others that follow
+//! from a junction rather than from the road that is left.
 //!
 //! The main road is not cut in the file. A connecting road names it with `elementS` and `elementDir`; `+` says that +s of
 //! both roads run on into each other.
@@ -7,13 +8,13 @@ use super::cuts::{Cuts, SHORTEST_PIECE};
 use super::findings::{Problem, Problems};
 use super::nodes::{first_node, pieces};
 use super::walk::{Edge, lane_of};
-use super::{Source, cross_paths, virtual_connections};
+use super::{Source, cross_paths, direct, virtual_connections};
 use crate::draft::Draft;
 use mapd_archive::{ContactPoint, EdgeKind, LinkKind, node_flags};
 use mapd_rules::network::Contact;
 use mapd_xodr::{ElementDir, Span};
 
-/// Edges over places inside a road, by the node that is left.
+/// Edges over places inside a road and at direct junctions, by the node that is left.
 #[derive(Default)]
 pub(crate) struct Attachments {
     edges: Vec<Edge>,
@@ -43,11 +44,12 @@ impl Attachments {
         }
         cross_paths::edges(source, cuts, problems, &mut edges);
         virtual_connections::edges(source, cuts, problems, &mut edges);
+        direct::edges(source, problems, &mut edges);
         edges.sort_by_key(|edge| edge.from);
         Self { edges }
     }
 
-    /// Nodes that are entered from a node over a place inside a road.
+    /// Edges that leave a node over a place inside a road or at a direct junction.
     pub(crate) fn leaving(&self, node: u32) -> impl Iterator<Item = Edge> + '_ {
         let from = self.edges.partition_point(|edge| edge.from < node);
         let rest = self.edges.get(from..).unwrap_or(&[]).iter();

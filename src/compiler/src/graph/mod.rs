@@ -9,6 +9,7 @@ mod cross_paths;
 mod csr;
 mod cuts;
 mod cycles;
+mod direct;
 mod findings;
 mod gaps;
 mod incoming;

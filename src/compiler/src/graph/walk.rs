@@ -14,7 +14,7 @@ use mapd_archive::{
     ConnectionRow, ContactPoint, EdgeKind, LaneRow, LinkKind, RoadRow, lane_flags, node_flags,
 };
 use mapd_rules::network::Contact;
-use mapd_xodr::Span;
+use mapd_xodr::{JunctionType, Span};
 use rayon::prelude::*;
 
 /// Nodes that one task leaves.
@@ -111,7 +111,9 @@ impl Walk<'_> {
                     self.written(node, own.lane, forward, EdgeKind::Road, entry);
                 }
             }
-            LinkKind::Junction => self.through_junction(node, row, section.road, target, forward),
+            LinkKind::Junction if !self.is_direct(target) => {
+                self.through_junction(node, row, section.road, target, forward);
+            }
             _ => {}
         }
     }
@@ -119,6 +121,11 @@ impl Walk<'_> {
     /// Whether a road's link at one end names a place inside another road.
     fn names_a_place(&self, road: u32, forward: bool) -> bool {
         self.links.road_link(road, ahead(forward)).is_some_and(|link| link.s.is_some())
+    }
+
+    /// Whether a junction is a direct one: its edges stand among the attachments.
+    fn is_direct(&self, junction: u32) -> bool {
+        self.links.junction(junction).is_some_and(|one| one.kind == JunctionType::Direct)
     }
 
     /// Follows the lane's links as written: its successors (`forward`) or predecessors.
@@ -130,13 +137,13 @@ impl Walk<'_> {
 
     /// The section of a road at one of its ends and whether lanes entered there travel towards +s.
     fn touching(&self, road: u32, contact: u8) -> Option<Entry> {
-        let sections = self.draft.rows.roads.get(road as usize)?.sections;
-        let last = sections.count.checked_sub(1)?;
-        match ContactPoint::from_code(contact) {
-            ContactPoint::Start => Some(Entry { section: sections.first, forward: true }),
-            ContactPoint::End => Some(Entry { section: sections.first + last, forward: false }),
-            _ => None,
-        }
+        let end = match ContactPoint::from_code(contact) {
+            ContactPoint::Start => Contact::Start,
+            ContactPoint::End => Contact::End,
+            _ => return None,
+        };
+        let section = section_at(self.draft, road, end)?;
+        Some(Entry { section, forward: end == Contact::Start })
     }
 
     /// Through every connection of the junction that starts at this end of the road.
@@ -245,6 +252,13 @@ impl Walk<'_> {
             },
         )
     }
+}
+
+/// The section at an end of a road.
+pub(crate) fn section_at(draft: &Draft, road: u32, end: Contact) -> Option<u32> {
+    let sections = draft.rows.roads.get(road as usize)?.sections;
+    let last = sections.count.checked_sub(1)?;
+    Some(sections.first + if end == Contact::Start { 0 } else { last })
 }
 
 /// The lane with a number in a section; none for lane 0.

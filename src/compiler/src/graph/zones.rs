@@ -4,7 +4,7 @@
 
 use super::Source;
 use crate::draft::Draft;
-use mapd_archive::{ContactPoint, LinkKind, NONE};
+use mapd_archive::NONE;
 use mapd_rules::network::Contact;
 use mapd_xodr::{Junction, JunctionType, Span, Text as _, Value as _};
 
@@ -101,12 +101,16 @@ fn crossed(draft: &Draft, junction: &Junction) -> Vec<Stretch> {
 /// from the joint.
 fn overlaps(source: Source<'_>, junction: u32, stretches: &mut Vec<Stretch>) {
     let rows = &source.draft.rows;
-    let Some(written) = source.links.junction(junction) else { return };
+    let links = source.links;
+    let Some(facts) = links.junction(junction) else { return };
     let Some(row) = rows.junctions.get(junction as usize) else { return };
-    let written = written.written.as_ref().map_or(&[][..], |junction| &junction.connection);
-    for (number, connection) in row.connections.of(&rows.connections).iter().enumerate() {
-        let links = written.get(number).map_or(&[][..], |connection| &connection.lane_link);
-        let zones = links.iter().map(|link| link.overlap_zone.value());
+    let written = facts.written.as_ref().map_or(&[][..], |junction| &junction.connection);
+    let of_facts = links.network.connections_of(facts);
+    for ((number, connection), connected) in
+        row.connections.of(&rows.connections).iter().enumerate().zip(of_facts)
+    {
+        let own = written.get(number).map_or(&[][..], |connection| &connection.lane_link);
+        let zones = own.iter().map(|link| link.overlap_zone.value());
         let longest = zones.map(|zone| zone.unwrap_or(OVERLAP_ZONE)).reduce(f64::max);
         let zone = longest.unwrap_or(OVERLAP_ZONE);
         let mut from_joint = |road: u32, at_end: bool| {
@@ -115,17 +119,12 @@ fn overlaps(source: Source<'_>, junction: u32, stretches: &mut Vec<Stretch>) {
             touch(stretches, road, near);
             touch(stretches, road, far);
         };
-        let contact = ContactPoint::from_code(connection.contact);
-        if matches!(contact, ContactPoint::Start | ContactPoint::End) {
-            from_joint(connection.connecting_road, contact == ContactPoint::End);
-        }
-        let Some(incoming) = rows.roads.get(connection.incoming_road as usize) else { continue };
-        for (kind, target, at_end) in [
-            (incoming.predecessor_kind, incoming.predecessor, false),
-            (incoming.successor_kind, incoming.successor, true),
-        ] {
-            if LinkKind::from_code(kind) == LinkKind::Junction && target == junction {
-                from_joint(connection.incoming_road, at_end);
+        let [incoming, linked] = links.network.connected_ends(facts, connected);
+        for (road, at) in
+            [(connection.connecting_road, linked), (connection.incoming_road, incoming)]
+        {
+            if let Some(at) = at {
+                from_joint(road, at.end == Contact::End);
             }
         }
     }

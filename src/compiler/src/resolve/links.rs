@@ -132,8 +132,6 @@ fn resolve_connections(draft: &mut Draft, links: &Links<'_>, names: &Named) {
     for (number, junction) in links.junctions().enumerate() {
         let before = rows.connections.len();
         for connection in links.network.connections_of(junction) {
-            let is_direct = connection.linked != none;
-            let connecting = if is_direct { connection.linked } else { connection.connecting };
             let row = |id: Name| Some(id).filter(|id| *id != none).and_then(|id| names.road(id));
             let before = rows.connection_lane_links.len();
             let written = links.connected(connection);
@@ -142,7 +140,7 @@ fn resolve_connections(draft: &mut Draft, links: &Links<'_>, names: &Named) {
             rows.connections.push(ConnectionRow {
                 id: strings.add(links.network.name(connection.id)),
                 incoming_road: row(connection.incoming).unwrap_or(NONE),
-                connecting_road: row(connecting).unwrap_or(NONE),
+                connecting_road: row(connection.entered()).unwrap_or(NONE),
                 lane_links: between(before, rows.connection_lane_links.len()),
                 contact: contact_code(connection.contact),
                 reserved: [0; 3],

@@ -2,8 +2,8 @@
 
 use super::joints::RoadEnd;
 use super::{
-    ConnectedLanes, ConnectionFacts, Contact, JunctionFacts, LaneFacts, Network, RoadFacts,
-    SectionFacts,
+    ConnectedLanes, ConnectionFacts, Contact, JunctionFacts, LaneFacts, LinkTarget, Network,
+    RoadFacts, SectionFacts,
 };
 use mapd_xodr::JunctionType as Kind;
 
@@ -53,19 +53,73 @@ impl Network {
         junction: &JunctionFacts,
         connection: &ConnectionFacts,
     ) -> ConnectedEnds<'_> {
-        let entered = match junction.kind {
-            Kind::Default => connection.connecting,
-            Kind::Direct => connection.linked,
-            _ => return [None; 2],
-        };
-        let to = RoadEnd::of(self.road_named(entered), connection.contact);
+        if !matches!(junction.kind, Kind::Default | Kind::Direct) {
+            return [None; 2];
+        }
+        let to = RoadEnd::of(self.road_named(connection.entered()), connection.contact);
         let from = self.road_named(connection.incoming).and_then(|road| {
             let id = junction.id.unwrap_or_default();
             // Roads of a direct junction name the junction, not one another.
-            let within = to.filter(|_| junction.kind == Kind::Default);
-            Some(RoadEnd { road, end: self.end_at_junction(road, id, within)? })
+            let end = connection.met.or_else(|| self.end_at_junction(road, id, to));
+            Some(RoadEnd { road, end: end? })
         });
         [from, to]
+    }
+
+    /// Finds at which of its ends a road that leads in meets the linked one, where both ends lie at one direct junction.
+    pub(super) fn find_where_roads_meet(&mut self) {
+        let mut found = Vec::new();
+        for junction in self.junctions.iter().filter(|junction| junction.kind == Kind::Direct) {
+            let target = Some(LinkTarget::Junction(junction.id.unwrap_or_default()));
+            let first = junction.connections.start as usize;
+            for (number, connection) in (first..).zip(self.connections_of(junction)) {
+                let incoming = self.road_named(connection.incoming);
+                let is_here = |road: &&RoadFacts| {
+                    Contact::BOTH.iter().all(|end| road.link(*end).map(|l| l.target) == target)
+                };
+                let to = RoadEnd::of(self.road_named(connection.entered()), connection.contact);
+                if let (Some(road), Some(to)) = (incoming.filter(is_here), to) {
+                    let [start, end] = Contact::BOTH
+                        .map(|end| self.gap_between(RoadEnd { road, end }, to, connection));
+                    let met = if start < end { Contact::Start } else { Contact::End };
+                    found.push((number, met));
+                }
+            }
+        }
+        for (number, met) in found {
+            if let Some(connection) = self.connections.get_mut(number) {
+                connection.met = Some(met);
+            }
+        }
+    }
+
+    /// The largest distance between the corners of the lanes that a connection links, left and right as one passes from one
+    /// road to the other; without such lanes, between the reference lines `[m]`.
+    fn gap_between(&self, from: RoadEnd<'_>, to: RoadEnd<'_>, connection: &ConnectionFacts) -> f64 {
+        let gap = |own: [f64; 2], other: [f64; 2]| -> Option<f64> {
+            let own = self.corners(from, own, from.end == Contact::End)?;
+            let other = self.corners(to, other, to.end == Contact::Start)?;
+            let apart = |side: usize| {
+                let ([ax, ay], [bx, by]) = (own[side], other[side]);
+                mapd_geometry::hypot(ax - bx, ay - by)
+            };
+            Some(apart(0).max(apart(1)))
+        };
+        let borders = |at: RoadEnd<'_>, id: i32| {
+            let lane = self.lane_end(at, id)?.lane;
+            Some([lane.inner, lane.outer].map(|border| border[at.end as usize]))
+        };
+        let links = self.connected_lanes(connection).iter();
+        let gaps = links.filter_map(|link| gap(borders(from, link.from?)?, borders(to, link.to?)?));
+        let strip = || gap([1.0, -1.0], [1.0, -1.0]);
+        gaps.reduce(f64::max).or_else(strip).unwrap_or(f64::INFINITY)
+    }
+
+    /// The points at two lateral distances at the end of a road, the left one first as one travels along s or against it.
+    fn corners(&self, at: RoadEnd<'_>, [a, b]: [f64; 2], along: bool) -> Option<[[f64; 2]; 2]> {
+        let (low, high) = (a.min(b), a.max(b));
+        let sides = if along { [high, low] } else { [low, high] };
+        Some(self.station_of(at.road, at.end)?.all_at(sides))
     }
 
     /// A lane at an end of a road.

@@ -71,6 +71,8 @@ pub struct ConnectionFacts {
     lane_links: Range<u32>,
     /// The end of the other road that touches.
     pub contact: Option<Contact>,
+    /// Where both ends of the road that leads in lie at a direct junction: the one at which the lanes meet.
+    pub(super) met: Option<Contact>,
 }
 
 /// Which lane leads into which: ids, as far as they are written.
@@ -182,6 +184,7 @@ impl Network {
                 linked: linked.unwrap_or_default(),
                 lane_links: first..self.connected_lanes.len() as u32,
                 contact: contact(&c.contact_point),
+                met: None,
             });
         }
         before..self.connections.len() as u32
@@ -286,6 +289,11 @@ impl PriorityFacts {
 }
 
 impl ConnectionFacts {
+    /// The road that is entered: the linked one where both are named.
+    pub fn entered(&self) -> Name {
+        if self.linked == Name::default() { self.connecting } else { self.linked }
+    }
+
     /// Moves its rows and ids to those of the whole.
     pub(super) fn moved(mut self, lanes: u32, names: &[Name]) -> Self {
         shift(&mut self.lane_links, lanes);

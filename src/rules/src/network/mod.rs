@@ -245,5 +245,6 @@ impl Network {
         self.leading_in = leading_in.collect();
         self.leading_in.sort_unstable();
         self.link_roads();
+        self.find_where_roads_meet();
     }
 }

@@ -2,7 +2,7 @@
 
 use super::kind;
 use crate::example::Example::Junction as In;
-use crate::place::text;
+use crate::place::{text, value};
 use crate::rule::Check::Junction;
 use crate::rule::Rule;
 use crate::sink::Sink;
@@ -110,10 +110,10 @@ pub(super) static RULES: &[Rule] = &[
     ),
     Rule::warning(
         "asam.net:xodr:1.8.0:junctions.direct.overlap_zone_exclusivity",
-        "At least one pair of linked lanes of a direct junction overlaps.",
+        "Links of a direct junction that have a zone where lanes overlap share a lane.",
         Junction(one_zone),
         [
-            SOUND,
+            In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" linkedRoad="2" contactPoint="start"><laneLink from="-1" to="-1" overlapZone="20"/></connection><connection id="1" incomingRoad="1" linkedRoad="3" contactPoint="start"><laneLink from="-1" to="-1" overlapZone="21"/></connection></junction>"#),
             In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" linkedRoad="3" contactPoint="start"><laneLink from="-1" to="-1" overlapZone="20"/><laneLink from="-2" to="-2" overlapZone="20"/></connection></junction>"#),
         ],
     ),
@@ -232,15 +232,20 @@ fn one_to_many(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     if kind(junction) != Kind::Direct || junction.connection.is_empty() {
         return;
     }
-    let incoming: BTreeSet<&str> =
-        junction.connection.iter().map(|c| text(&c.incoming_road)).collect();
-    let linked: BTreeSet<&str> = junction.connection.iter().map(|c| text(&c.linked_road)).collect();
-    let (few, many) = (incoming.len().min(linked.len()), incoming.len().max(linked.len()));
-    // Written in both directions, each road is on both sides.
-    let all = incoming.union(&linked).count();
-    let is_split = few == 1 && many >= 2 || (incoming == linked && all >= 3);
+    let pairs = junction.connection.iter().map(|c| [text(&c.incoming_road), text(&c.linked_road)]);
+    // A pair may be written in both directions, each time with some of its lanes.
+    let is_split = pairs.clone().next().into_iter().flatten().any(|one| {
+        let others = pairs.clone().map(|[a, b]| match (a == one, b == one) {
+            (true, _) => Some(b),
+            (_, true) => Some(a),
+            _ => None,
+        });
+        others.collect::<Option<BTreeSet<&str>>>().is_some_and(|others| others.len() >= 2)
+    });
     if !is_split {
-        let found = format_args!("{} and {}", incoming.len(), linked.len());
+        let [incoming, linked] =
+            [0, 1].map(|side| pairs.clone().map(|pair| pair[side]).collect::<BTreeSet<_>>().len());
+        let found = format_args!("{incoming} and {linked}");
         sink.add(junction.span, "one road on one side and two or more on the other", found);
     }
 }
@@ -249,13 +254,28 @@ fn one_zone(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     if kind(junction) != Kind::Direct {
         return;
     }
-    let links = junction.connection.iter().flat_map(|connection| &connection.lane_link);
-    if let Some(second) = links.filter(|link| link.overlap_zone.is_some()).nth(1) {
-        sink.add_within(
-            "connection/laneLink",
-            second.span,
-            "one zone where lanes overlap",
-            "another",
-        );
+    // Road and lane on both sides of each link with a zone.
+    let links = junction.connection.iter().flat_map(|connection| {
+        let [from, to] = [&connection.incoming_road, &connection.linked_road].map(text);
+        connection
+            .lane_link
+            .iter()
+            .filter(|link| link.overlap_zone.is_some())
+            .map(move |link| (link.span, [(from, value(&link.from)), (to, value(&link.to))]))
+    });
+    let mut shared: Option<Vec<_>> = None;
+    for (span, lanes) in links {
+        match &mut shared {
+            None => shared = Some(lanes.to_vec()),
+            Some(shared) => {
+                shared.retain(|lane| lanes.contains(lane));
+                if shared.is_empty() {
+                    let expected = "zones where lanes overlap at links of one lane";
+                    let found = "one at a link of others";
+                    sink.add_within("connection/laneLink", span, expected, found);
+                    return;
+                }
+            }
+        }
     }
 }

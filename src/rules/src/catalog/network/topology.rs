@@ -86,15 +86,14 @@ fn linked_lanes(network: &Network, mut show: impl FnMut(usize, usize)) {
     }
     for JunctionConnection { junction, connection } in network.real_connections() {
         let Some(incoming) = network.road_named(connection.incoming) else { continue };
-        let other = match junction.kind {
-            Kind::Direct => connection.linked,
-            _ => connection.connecting,
-        };
-        let Some(other) = network.road_named(other) else { continue };
+        let Some(other) = network.road_named(connection.entered()) else { continue };
         let Some(contact) = connection.contact else { continue };
         let id = junction.id.unwrap_or_default();
-        let from =
-            network.end_at_junction(incoming, id, Some(RoadEnd { road: other, end: contact }));
+        let within = Some(RoadEnd { road: other, end: contact });
+        let from = match junction.kind {
+            Kind::Direct => network.connected_ends(junction, connection)[0].map(|at| at.end),
+            _ => network.end_at_junction(incoming, id, within),
+        };
         // Roads leave the main road of a virtual junction somewhere.
         let s = other.link(contact).and_then(|link| link.s);
         for link in network.connected_lanes(connection) {
