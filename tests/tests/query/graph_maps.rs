@@ -535,8 +535,16 @@ fn marks_are_read_by_their_type_if_so_wanted() {
 #[test]
 fn access_closes_and_opens_lanes() {
     let access = |text: &str| format!("<access sOffset=\"0\" {text}");
+    let nested = |types: &str| format!("<access sOffset=\"0\" rule=\"deny\">{types}</access>");
     let cases = [
         ("", "passengerCar bus bicycle", "pedestrian tram"),
+        (&access("rule=\"deny\" restriction=\"trucks\"/>"), "passengerCar bus", "truck"),
+        (
+            &access("rule=\"deny\" restriction=\"autonomous traffic\"/>"),
+            "passengerCar",
+            "autonomousTraffic",
+        ),
+        (&access("rule=\"allow\" restriction=\"none\"/>"), "passengerCar truck", "pedestrian"),
         (&access("rule=\"deny\" restriction=\"truck\"/>"), "passengerCar bus", "truck pedestrian"),
         (&access("rule=\"allow\" restriction=\"bus\"/>"), "bus", "passengerCar taxi bicycle"),
         (
@@ -548,15 +556,41 @@ fn access_closes_and_opens_lanes() {
         ),
         (&access("rule=\"deny\" restriction=\"none\"/>"), "passengerCar truck", "pedestrian"),
         (&access("restriction=\"truck\"/>"), "passengerCar", "truck"),
+        (&access("rule=\"deny\" restriction=\"lorry\"/>"), "passengerCar bus", "truck"),
     ];
-    for (text, open_to, closed_to) in cases {
+    // Who is meant is not said: nothing stays open that might be closed, with a warning.
+    let unsaid: [(&str, &str, &str); 9] = [
+        (&access("rule=\"deny\" restriction=\"van\"/>"), "bicycle", "passengerCar truck bus"),
+        (&access("rule=\"deny\" restriction=\"\"/>"), "bicycle", "passengerCar truck bus"),
+        (&access("rule=\"deny\"/>"), "bicycle", "passengerCar truck bus"),
+        (&access("restriction=\"van\"/>"), "bicycle", "passengerCar truck bus"),
+        (&nested("<restriction/>"), "bicycle", "passengerCar truck bus"),
+        (
+            &nested("<restriction type=\"bicycle\"/><restriction type=\"van\"/>"),
+            "",
+            "bicycle passengerCar truck",
+        ),
+        (&access("rule=\"allow\" restriction=\"van\"/>"), "", "bicycle passengerCar truck"),
+        (&access("rule=\"allow\"/>"), "", "bicycle passengerCar truck"),
+        (
+            &(access("rule=\"allow\" restriction=\"van\"/>")
+                + &access("rule=\"allow\" restriction=\"bus\"/>")),
+            "bus",
+            "bicycle passengerCar truck",
+        ),
+    ];
+    let cases = cases.into_iter().map(|case| (case, 0)).chain(unsaid.map(|case| (case, 1)));
+    for ((text, open_to, closed_to), warnings) in cases {
         let width = "a=\"3.5\" b=\"0\" c=\"0\" d=\"0\"";
         let lanes = section(0.0, "", &wide(-1, "", "", width, text));
         let road = road("1", "junction=\"-1\"", Line(0.0, 0.0, 0.0, 100.0, 0.0), "", &lanes);
+        let found = compiled(&document(&road), CyclePolicy::default()).diagnostics;
+        let told = found.iter().filter(|found| found.finding.rule == "mapd:compile.access");
+        assert_eq!(told.count(), warnings, "{text}");
         let snapshot = open("access", &document(&road));
         let node = snapshot.map().lane_nodes().next().expect("a node");
         for (words, expected) in [(open_to, true), (closed_to, false)] {
-            for word in words.split(' ') {
+            for word in words.split_whitespace() {
                 assert_eq!(node.allows(VehicleClass::from_name(word)), expected, "{word}: {text}");
             }
         }

@@ -4,8 +4,7 @@ use crate::draft::{Access, Mark, Permissions};
 use crate::options::MarkReading;
 use mapd_archive::{LaneType, VehicleClass};
 use mapd_xodr::{
-    AccessRestrictionType as Restriction, AccessRule, LaneAccess, LaneChange, RoadMark,
-    RoadMarkType, Value as _,
+    AccessRule, LaneAccess, LaneChange, RoadMark, RoadMarkType, Text as _, Value as _,
 };
 
 impl Permissions {
@@ -54,27 +53,64 @@ fn by_type(kind: Option<RoadMarkType>, number: i32) -> LaneChange {
     if higher_is_solid { LaneChange::Increase } else { LaneChange::Decrease }
 }
 
-/// Classes that a set of records at one place leaves (OpenDRIVE 1.8.1, 11.8.1): where one allows, all others are banned;
-/// `none` resets to what the lane's type says. A record without `rule` denies, which is what a restriction does.
-fn classes(base: u16, set: &[LaneAccess]) -> u16 {
-    let bits = |allow: bool| {
-        let of_rule =
-            |record: &&LaneAccess| (record.rule.value() == Some(AccessRule::Allow)) == allow;
-        let named = set.iter().filter(of_rule).flat_map(|record| {
-            let nested = record.restriction_element.iter().filter_map(|r| r.r#type.value());
-            record.restriction.value().into_iter().chain(nested)
-        });
-        named.fold(0, |all, restriction| all | class_bits(restriction))
-    };
-    let (allowed, denied) = (bits(true), bits(false));
-    let granted = if allowed == 0 { base } else { allowed };
-    granted & !denied
+/// Other words for a class than its own: older ones of the standard, and such as files have.
+const SYNONYMS: [(&str, VehicleClass); 3] = [
+    ("trucks", VehicleClass::Truck),
+    ("lorry", VehicleClass::Truck),
+    ("autonomous traffic", VehicleClass::Autonomous),
+];
+
+/// Whom a restriction names.
+#[derive(Clone, Copy)]
+enum Named {
+    /// No restriction.
+    None,
+    Class(VehicleClass),
+    /// Nobody that is known: there is no word, or one that the standard does not have.
+    Open,
 }
 
-/// Classes that a restriction names; 0 for `none` and unknown words.
-fn class_bits(restriction: Restriction) -> u16 {
-    match restriction {
-        Restriction::Trucks => VehicleClass::Truck.bit(),
-        named => VehicleClass::from_name(named.name()).bit(),
+/// Whom a record names: by its own attribute, and by its elements of 1.8.
+fn named(record: &LaneAccess) -> impl Iterator<Item = Named> {
+    let own = record.restriction.as_ref().map(|word| &*word.value);
+    let nested = record.restriction_element.iter().map(|one| one.r#type.text());
+    // A record that names nobody at all has one word that is missing.
+    let missing = (own.is_none() && record.restriction_element.is_empty()).then_some("");
+    own.into_iter().chain(nested).chain(missing).map(|word| match word {
+        "none" => Named::None,
+        word => {
+            let synonym = SYNONYMS.iter().find(|(other, _)| *other == word);
+            match synonym.map_or_else(|| VehicleClass::from_name(word), |(_, class)| *class) {
+                VehicleClass::Unknown => Named::Open,
+                class => Named::Class(class),
+            }
+        }
+    })
+}
+
+/// Whether a record does not say whom it is about.
+pub(super) fn is_open(record: &LaneAccess) -> bool {
+    named(record).any(|one| matches!(one, Named::Open))
+}
+
+/// Classes that a set of records at one place leaves (OpenDRIVE 1.8.1, 11.8.1): where one allows, all others are banned;
+/// `none` resets to what the lane's type says. A record without `rule` denies, which is what a restriction does. One that does not say who is meant leaves
+/// nothing open that it might close: it denies all motor vehicles, or allows nobody.
+fn classes(base: u16, set: &[LaneAccess]) -> u16 {
+    let (mut allowed, mut denied, mut allows) = (0, 0, false);
+    for record in set {
+        let is_allow = record.rule.value() == Some(AccessRule::Allow);
+        for one in named(record) {
+            match one {
+                Named::None => {}
+                Named::Class(class) if is_allow => allowed |= class.bit(),
+                Named::Class(class) => denied |= class.bit(),
+                Named::Open if is_allow => {}
+                Named::Open => denied |= VehicleClass::MOTOR,
+            }
+            allows |= is_allow && !matches!(one, Named::None);
+        }
     }
+    let granted = if allows { allowed } else { base };
+    granted & !denied
 }

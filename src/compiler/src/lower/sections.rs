@@ -1,6 +1,7 @@
 //! Lane sections and lanes.
 
 use super::need::{ElementContext, ElementPath};
+use super::permissions::is_open;
 use super::speeds::speed;
 use super::surface::place;
 use crate::draft::{Draft, between};
@@ -383,6 +384,18 @@ impl Draft {
         let row = self.rows.lanes.len() as u32;
         if side.continues == 0 {
             self.owners.add(lane.span, AnnotationOwner::Lane, row);
+            for record in lane.access.iter().filter(|record| lane.id != 0 && is_open(record)) {
+                let path = ElementPath::new(road, "lanes/laneSection/lane/access");
+                let mut part = ElementContext { span: record.span, path, findings };
+                let read_as = match record.rule.value() {
+                    Some(xodr::AccessRule::Allow) => "it opens the lane to nobody",
+                    _ => "it closes the lane to all motor vehicles",
+                };
+                let message = format!(
+                    "expected a word of the standard for who is meant, found none; {read_as}"
+                );
+                part.add(&building::ACCESS, Severity::Warning, message);
+            }
         }
         self.permissions.lane(row, shift, (lane.id, kind), lane.road_mark, lane.access);
         // Links into another layer are no links between these lanes.

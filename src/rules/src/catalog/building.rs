@@ -309,6 +309,16 @@ pub const SIGNAL_REFERENCE: Rule = warning(
     ],
 );
 
+/// An access record that does not say who is meant.
+pub const ACCESS: Rule = warning(
+    "mapd:compile.access",
+    "An access record says who is meant in words of the standard; otherwise `deny` closes to all motor vehicles, and `allow` opens to nobody. `lorry` and `trucks` are read as `truck`.",
+    [
+        Lane(r#"<access sOffset="0" rule="deny"><restriction type="truck"/></access>"#),
+        Lane(r#"<access sOffset="0" rule="deny"><restriction type="van"/></access>"#),
+    ],
+);
+
 /// A link between roads without `contactPoint`.
 pub const CONTACT_POINT: Rule = warning(
     "mapd:compile.contact_point",
@@ -526,6 +536,7 @@ pub(super) static RULES: &[&[Rule]] = &[&[
     SIGNAL_FACING,
     ZONE_END,
     SIGNAL_REFERENCE,
+    ACCESS,
     CONTACT_POINT,
     GEO_REFERENCE,
     OFFSET_SIGN,

@@ -244,7 +244,7 @@ pub struct LaneAccess {
     /// `@rule`: Rule that holds. Required in 1.5. Since 1.5.
     pub rule: Option<Attribute<AccessRule>>,
     /// `@restriction`: Who is meant. Required 1.5 to 1.7. Deprecated since 1.8.
-    pub restriction: Option<Attribute<AccessRestrictionType>>,
+    pub restriction: Option<Attribute<Box<str>>>,
     /// `restriction`: One kind of user. Since 1.8.
     pub restriction_element: Vec<AccessRestriction>,
     /// What stands inside beyond the standard's own elements.
@@ -257,7 +257,7 @@ pub struct AccessRestriction {
     /// The start tag.
     pub span: Span,
     /// `@type`: Kind. Required by the text since 1.8.
-    pub r#type: Option<Attribute<AccessRestrictionType>>,
+    pub r#type: Option<Attribute<Box<str>>>,
     /// What stands inside beyond the standard's own elements.
     pub extensions: Extensions,
 }

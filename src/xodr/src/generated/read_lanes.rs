@@ -301,7 +301,7 @@ impl Element for LaneAccess {
         match slot {
             0 => self.s_offset = cursor.double(),
             1 => self.rule = cursor.word::<super::words::AccessRule>(),
-            2 => self.restriction = cursor.word::<super::words::AccessRestrictionType>(),
+            2 => self.restriction = cursor.word_as_text::<super::words::AccessRestrictionType>(),
             _ => {}
         }
     }
@@ -325,7 +325,7 @@ impl Element for AccessRestriction {
     }
     fn attribute(&mut self, slot: usize, cursor: &mut Cursor<'_>) {
         match slot {
-            0 => self.r#type = cursor.word::<super::words::AccessRestrictionType>(),
+            0 => self.r#type = cursor.word_as_text::<super::words::AccessRestrictionType>(),
             _ => {}
         }
     }
