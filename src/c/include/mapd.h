@@ -2370,9 +2370,14 @@ typedef struct mapd_route_sum {
    */
   double length;
   /*
-   Time at the speed limits [s].
+   What the graph counts as time [s], as `mapd_lane_time_between`, under an overlay at the speeds that entries state. The time at the limits that hold on the way is
+   `mapd_path_travel_time`.
    */
   double travel_time;
+  /*
+   What of it is at speeds that are assumed, because no limit is recorded or there is none [s].
+   */
+  double assumed_time;
   /*
    Number of lane changes.
    */
@@ -3611,6 +3616,32 @@ typedef struct mapd_lane_signal {
    */
   uint8_t is_for_backward;
 } mapd_lane_signal;
+
+/*
+ A stretch of a lane on which one speed limit holds.
+ */
+typedef struct mapd_speed_stretch {
+  /*
+   Its smaller s on the road [m].
+   */
+  double s_low;
+  /*
+   Its larger s [m].
+   */
+  double s_high;
+  /*
+   What holds there.
+   */
+  struct mapd_speed_rule rule;
+  /*
+   The limit, or where it depends on the way the lowest that may hold [m/s], infinite where there is none; counts only with `has_lowest`.
+   */
+  double lowest;
+  /*
+   1: something is known.
+   */
+  uint8_t has_lowest;
+} mapd_speed_stretch;
 
 /*
  A signal near a point.
@@ -5021,16 +5052,16 @@ mapd_code mapd_lane_width_at(const struct mapd_snapshot *snapshot,
                              struct mapd_error *error);
 
 /*
- Speed limit at s [m/s]: the lane's own record, else that of the road's type; infinite where the file says `no limit`. Signs count in
- `mapd_lane_speed_rule_at`. `MAPD_CODE_NONE` where the file says nothing.
+ The speed limit that is recorded at s [m/s]: in the lane's own record, else in that of the road's type; infinite where the file says `no limit`. What holds may be
+ another: `mapd_lane_speed_rule_at`. `MAPD_CODE_NONE` where the file says nothing or states a limit that cannot be read.
 
  Errors: `MAPD_CODE_NOT_FINITE`.
  */
-mapd_code mapd_lane_speed_limit_at(const struct mapd_snapshot *snapshot,
-                                   struct mapd_lane_id lane,
-                                   double s,
-                                   double *out,
-                                   struct mapd_error *error);
+mapd_code mapd_lane_recorded_speed_limit_at(const struct mapd_snapshot *snapshot,
+                                            struct mapd_lane_id lane,
+                                            double s,
+                                            double *out,
+                                            struct mapd_error *error);
 
 /*
  Length of the centre line in plan view between two places on the road [m]. s outside the lane's section counts as its nearer end.
@@ -5045,8 +5076,8 @@ mapd_code mapd_lane_length_between(const struct mapd_snapshot *snapshot,
                                    struct mapd_error *error);
 
 /*
- Time to travel the centre line between two places on the road at the speed limit of `mapd_lane_speed_limit_at` [s]: 50 km/h where there is none written,
- 130 km/h where there is no limit. s outside the lane's section counts as its nearer end.
+ What a route by time counts for the centre line between two places on the road [s]: its length at `mapd_lane_recorded_speed_limit_at`, at 50 km/h where no limit is recorded,
+ at 130 km/h where there is none. The time at the limits of a way is `mapd_path_travel_time`. s outside the lane's section counts as its nearer end.
 
  Errors: `MAPD_CODE_NOT_FINITE`.
  */
@@ -6271,6 +6302,17 @@ mapd_code mapd_lane_speed_rule_at(const struct mapd_snapshot *snapshot,
                                   double s,
                                   struct mapd_speed_rule *out,
                                   struct mapd_error *error);
+
+/*
+ The speed limits along the lane, in ascending s without gaps, each as `mapd_lane_speed_rule_at` has it between the ends of its stretch; where the limit depends on the way, with
+ the lowest that may hold.
+ */
+mapd_code mapd_lane_speed_rules(const struct mapd_snapshot *snapshot,
+                                struct mapd_lane_id lane,
+                                struct mapd_speed_stretch *out,
+                                size_t capacity,
+                                size_t *count,
+                                struct mapd_error *error);
 
 /*
  Every signal that stands as near to a point as `radius` [m] in plan view, nearest first, whatever lanes it is for.

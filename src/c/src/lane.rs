@@ -293,19 +293,23 @@ pub unsafe extern "C" fn mapd_lane_width_at(
     unsafe { answer(error, || put(out, lane_of(snapshot, lane)?.width_at(finite(s)?))) }
 }
 
-/// Speed limit at s \[m/s\]: the lane's own record, else that of the road's type; infinite where the file says `no limit`. Signs count in
-/// `mapd_lane_speed_rule_at`. `MAPD_CODE_NONE` where the file says nothing.
+/// The speed limit that is recorded at s \[m/s\]: in the lane's own record, else in that of the road's type; infinite where the file says `no limit`. What holds may be
+/// another: `mapd_lane_speed_rule_at`. `MAPD_CODE_NONE` where the file says nothing or states a limit that cannot be read.
 ///
 /// Errors: `MAPD_CODE_NOT_FINITE`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mapd_lane_speed_limit_at(
+pub unsafe extern "C" fn mapd_lane_recorded_speed_limit_at(
     snapshot: *const mapd_snapshot,
     lane: mapd_lane_id,
     s: f64,
     out: *mut f64,
     error: *mut mapd_error,
 ) -> mapd_code {
-    unsafe { answer(error, || put_some(out, lane_of(snapshot, lane)?.speed_limit_at(finite(s)?))) }
+    unsafe {
+        answer(error, || {
+            put_some(out, lane_of(snapshot, lane)?.recorded_speed_limit_at(finite(s)?))
+        })
+    }
 }
 
 /// Length of the centre line in plan view between two places on the road \[m\]. s outside the lane's section counts as its nearer end.
@@ -325,8 +329,8 @@ pub unsafe extern "C" fn mapd_lane_length_between(
     }
 }
 
-/// Time to travel the centre line between two places on the road at the speed limit of `mapd_lane_speed_limit_at` \[s\]: 50 km/h where there is none written,
-/// 130 km/h where there is no limit. s outside the lane's section counts as its nearer end.
+/// What a route by time counts for the centre line between two places on the road \[s\]: its length at `mapd_lane_recorded_speed_limit_at`, at 50 km/h where no limit is recorded,
+/// at 130 km/h where there is none. The time at the limits of a way is `mapd_path_travel_time`. s outside the lane's section counts as its nearer end.
 ///
 /// Errors: `MAPD_CODE_NOT_FINITE`.
 #[unsafe(no_mangle)]

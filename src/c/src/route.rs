@@ -83,8 +83,11 @@ pub struct mapd_route_sum {
     pub cost: f64,
     /// Length along the lanes' centre lines \[m\].
     pub length: f64,
-    /// Time at the speed limits \[s\].
+    /// What the graph counts as time \[s\], as `mapd_lane_time_between`, under an overlay at the speeds that entries state. The time at the limits that hold on the way is
+    /// `mapd_path_travel_time`.
     pub travel_time: f64,
+    /// What of it is at speeds that are assumed, because no limit is recorded or there is none \[s\].
+    pub assumed_time: f64,
     /// Number of lane changes.
     pub lane_changes: u32,
     /// Of a request, number of the start from which it leads; else 0.
@@ -167,8 +170,9 @@ pub(crate) fn step_of(step: mapd_route_step) -> Result<RouteStep, Failure> {
 
 impl From<Route> for mapd_route_sum {
     fn from(route: Route) -> Self {
-        let Route { cost, length, travel_time, lane_changes, start, goal } = route;
-        Self { cost, length, travel_time, lane_changes, start: start as u32, goal: goal as u32 }
+        let Route { cost, length, travel_time, assumed_time, lane_changes, start, goal } = route;
+        let (start, goal) = (start as u32, goal as u32);
+        Self { cost, length, travel_time, assumed_time, lane_changes, start, goal }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::point::{mapd_region, mapd_vec2, mapd_vec3};
 use crate::scratch::mapd_scratch;
 use crate::snapshot::{map_of, mapd_snapshot};
 use crate::text::mapd_text;
-use mapd_client::rules::{SpeedOrigin, SpeedRule};
+use mapd_client::rules::{SpeedOrigin, SpeedRule, SpeedStretch};
 use mapd_client::signals::{LaneSignal, LightStates, Signal};
 
 /// A traffic sign, light or marking.
@@ -147,6 +147,22 @@ pub struct mapd_speed_rule {
     pub has_max: u8,
     /// Who says so: a `MAPD_SPEED_ORIGIN_…`.
     pub origin: u8,
+}
+
+/// A stretch of a lane on which one speed limit holds.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_speed_stretch {
+    /// Its smaller s on the road \[m\].
+    pub s_low: f64,
+    /// Its larger s \[m\].
+    pub s_high: f64,
+    /// What holds there.
+    pub rule: mapd_speed_rule,
+    /// The limit, or where it depends on the way the lowest that may hold \[m/s\], infinite where there is none; counts only with `has_lowest`.
+    pub lowest: f64,
+    /// 1: something is known.
+    pub has_lowest: u8,
 }
 
 /// `which` of `mapd_lane_signals`: all that are for the lane.
@@ -295,6 +311,32 @@ pub unsafe extern "C" fn mapd_lane_speed_rule_at(
 ) -> mapd_code {
     unsafe {
         answer(error, || put(out, speed_rule(lane_of(snapshot, lane)?.speed_rule_at(finite(s)?))))
+    }
+}
+
+/// The speed limits along the lane, in ascending s without gaps, each as `mapd_lane_speed_rule_at` has it between the ends of its stretch; where the limit depends on the way, with
+/// the lowest that may hold.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_lane_speed_rules(
+    snapshot: *const mapd_snapshot,
+    lane: mapd_lane_id,
+    out: *mut mapd_speed_stretch,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    let stretch = |own: SpeedStretch| mapd_speed_stretch {
+        s_low: own.s.low,
+        s_high: own.s.high,
+        rule: speed_rule(own.rule),
+        lowest: own.lowest.unwrap_or(0.0),
+        has_lowest: own.lowest.is_some().into(),
+    };
+    unsafe {
+        answer(error, || {
+            let all = lane_of(snapshot, lane)?.speed_rules().map(stretch);
+            List { out, capacity, count }.write(all)
+        })
     }
 }
 

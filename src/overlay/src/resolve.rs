@@ -82,21 +82,16 @@ fn loosens(entry: &Entry, stretches: &[Stretch<'_>]) -> Option<PlaceError> {
         return Some(PlaceError::new("kind", format!("opens lanes{OPERATOR}")));
     }
     let value = entry.value.filter(|_| entry.kind == Kind::Speed)?;
-    for Stretch { lane, s_from, s_to } in stretches {
-        let changes = lane.speeds().map(|record| record.s);
-        let changes = changes.chain(lane.road().types().map(|record| record.s));
-        let inside = changes.filter(|s| s > s_from && s < s_to);
-        for s in inside.chain([*s_from, 0.5 * (s_from + s_to), *s_to]) {
-            if let Some(limit) = lane.speed_rule_at(s).max.filter(|limit| value > limit + ROUNDED) {
-                let why = format!(
-                    "raises the limit of {limit:.2} m/s on {} at {s:.1} m{OPERATOR}",
-                    lane.key()
-                );
-                return Some(PlaceError::new("value", why));
-            }
-        }
-    }
-    None
+    stretches.iter().find_map(|Stretch { lane, s_from, s_to }| {
+        let mut met = lane.speed_rules().filter(|own| own.s.low < *s_to && own.s.high > *s_from);
+        let (limit, s) = met.find_map(|own| {
+            let limit = own.lowest.filter(|limit| value > limit + ROUNDED)?;
+            Some((limit, own.s.low.max(*s_from)))
+        })?;
+        let key = lane.key();
+        let why = format!("raises the limit of {limit:.2} m/s on {key} at {s:.1} m{OPERATOR}");
+        Some(PlaceError::new("value", why))
+    })
 }
 
 /// A limit above the map's by no more than this `[m/s]` is the same, written in other units.

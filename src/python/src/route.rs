@@ -162,6 +162,7 @@ pub(crate) fn found_route<'py>(
         cost = route.cost,
         length = route.length,
         travel_time = route.travel_time,
+        assumed_time = route.assumed_time,
         lane_changes = route.lane_changes,
         steps = steps,
         start = route.start,

@@ -258,7 +258,11 @@ def test_at(asked: Asked) -> None:
         own = asked.map.lane(question.numbers[0])
         rule = own.speed_rule_at(s)
         assert mapd.SPEED_ORIGINS[rules.origin[row]] == rule.origin and option(rules.max[row]) == option(rule.max)
-        answer = [bits(own.width_at(s)), *option(own.speed_limit_at(s)), *option(rule.max), int(own.allows_at(s))]
+        answer = [bits(own.width_at(s)), *option(own.recorded_speed_limit_at(s)), *option(rule.max), int(own.allows_at(s))]
+        stretches = own.speed_rules()
+        answer.append(len(stretches))
+        for one in stretches:
+            answer += [bits(one.s_from), bits(one.s_to), *option(one.rule.max), *option(one.lowest)]
         assert answer == question.answer
 
 
@@ -310,7 +314,7 @@ def test_route(asked: Asked) -> None:
         if route is None:
             assert question.answer == [0]
             continue
-        answer = [1, bits(route.cost), bits(route.length), bits(route.travel_time), route.lane_changes, len(route.steps)]
+        answer = [1, bits(route.cost), bits(route.length), bits(route.travel_time), bits(route.assumed_time), route.lane_changes, len(route.steps)]
         for step in route.steps:
             answer += [step.lane.id, int(step.forward), ENTER[step.enter]]
             answer += [bits(step.s_from), bits(step.s_to), bits(step.s_latest)]

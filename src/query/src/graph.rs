@@ -28,6 +28,8 @@ pub(crate) struct NodePiece<'a> {
     pub(crate) row: &'a ArchivedPieceRow,
     /// From its begin to its end at the travel speed of today \[s\].
     pub(crate) time: f64,
+    /// Whether an entry states that speed.
+    pub(crate) is_speed_stated: bool,
     /// Classes of vehicles that may use it, a bit each.
     pub(crate) access: u16,
 }
@@ -98,13 +100,18 @@ impl<'a> LaneNode<'a> {
         }
     }
 
-    /// Time to pass it at the speed limit `[s]`.
+    /// What a route by time counts for it `[s]`: as [`Lane::time_between`], under an overlay at the speeds that entries state.
     #[inline]
     pub fn travel_time(&self) -> f64 {
         match &self.piece {
             None => f64::from(self.row.time()),
             Some(piece) => piece.time,
         }
+    }
+
+    /// Whether an entry of an overlay states the speed that its time counts.
+    pub(crate) fn is_speed_stated(&self) -> bool {
+        self.piece.is_some_and(|piece| piece.is_speed_stated)
     }
 
     /// Whether a class of vehicles may use it, by lane type and access records.
@@ -238,11 +245,11 @@ impl<'a> LaneEdge<'a> {
         self.source().map_or(0.0, |node| node.length())
     }
 
-    /// Speed limit where the edge is passed `[m/s]`: at the end of the node that is left. As [`Lane::speed_limit_at`].
+    /// Speed limit where the edge is passed `[m/s]`: at the end of the node that is left. As [`Lane::speed_rule_at`]; none where it depends, too.
     pub fn speed_limit(&self) -> Option<f64> {
         let node = self.source()?;
         let SRange { low: from, high: to } = node.s_range();
-        node.lane()?.speed_limit_at(if node.is_forward() { to } else { from })
+        node.lane()?.speed_rule_at(if node.is_forward() { to } else { from }).max
     }
 
     /// Whether a class of vehicles may use both nodes that the edge joins.

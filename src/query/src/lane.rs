@@ -11,7 +11,7 @@ use crate::road::{JOINT, Road};
 use crate::section::LaneSection;
 use crate::types::{Clamped, LaneEdges, LanePosition, Point, Pose, is_place};
 use glam::DVec3;
-use mapd_archive::{ArchivedLaneRow, LaneType, Range, SpeedKind, lane_flags};
+use mapd_archive::{ArchivedLaneRow, ArchivedLaneSpeedRow, LaneType, Range, SpeedKind, lane_flags};
 use std::borrow::Cow;
 
 /// A lane of a section.
@@ -115,17 +115,21 @@ impl<'a> Lane<'a> {
 
     /// `speed` records in ascending s.
     pub fn speeds(&self) -> impl ExactSizeIterator<Item = LaneSpeed> + use<'a> {
+        self.speed_rows().iter().map(|r| LaneSpeed {
+            s: r.s(),
+            kind: SpeedKind::from_code(u8::try_from(r.kind()).unwrap_or(u8::MAX)),
+            max: r.max(),
+        })
+    }
+
+    /// Rows of its `speed` records.
+    pub(crate) fn speed_rows(&self) -> &'a [ArchivedLaneSpeedRow] {
         let (rows, lane) = (self.map.tables().lane_speeds, self.number);
         let first = rows.partition_point(|row| row.lane() < lane);
         let rows = rows.get(first..).unwrap_or(&[]);
         // Lanes have few: to look for the end among all rows would take longer.
         let count = rows.iter().take_while(|row| row.lane() == lane).count();
-        let own = rows.get(..count).unwrap_or(&[]);
-        own.iter().map(|r| LaneSpeed {
-            s: r.s(),
-            kind: SpeedKind::from_code(u8::try_from(r.kind()).unwrap_or(u8::MAX)),
-            max: r.max(),
-        })
+        rows.get(..count).unwrap_or(&[])
     }
 
     /// Both edges at s, from the file's own polynomials (OpenDRIVE 1.8.1, 11.6). Negative widths count as 0. At the end of

@@ -6,7 +6,8 @@ use crate::lane::Lane;
 use crate::lane_edges::EdgeSlopes;
 use crate::profile::{self, At};
 use crate::road::{GeometryPiece, Road};
-use mapd_archive::{ArchivedCubicRow, ArchivedLaneLengthRow, SpeedKind};
+use crate::rules::SpeedRecords;
+use mapd_archive::{ArchivedCubicRow, ArchivedLaneLengthRow};
 
 /// Speed assumed where the file states none `[m/s]`: 50 km/h, the usual limit in towns.
 const ASSUMED_SPEED: f64 = 50.0 / 3.6;
@@ -20,14 +21,16 @@ pub fn travel_speed(limit: f64) -> f64 {
     mapd_geometry::clamp(limit, LOWEST_SPEED, UNLIMITED_SPEED)
 }
 
-/// The limit that a record states `[m/s]`, infinite for `no limit`, none within if it is stated and unknown; none at all where the record states none.
-pub(crate) fn stated(kind: SpeedKind, value: f64) -> Option<Option<f64>> {
-    match kind {
-        SpeedKind::Value => Some(Some(value)),
-        SpeedKind::NoLimit => Some(Some(f64::INFINITY)),
-        SpeedKind::Unreadable => Some(None),
-        _ => None,
-    }
+/// Whether the speed that travel times count for a recorded limit is none of the file's.
+fn is_assumed(limit: Option<f64>) -> bool {
+    limit.is_none_or(|limit| travel_speed(limit) != limit)
+}
+
+/// Time along a lane at the recorded limits `[s]`.
+struct TravelTime {
+    whole: f64,
+    /// What of it is at speeds that no record states.
+    assumed: f64,
 }
 
 /// What travelling along a lane between two places takes.
@@ -49,7 +52,7 @@ pub fn measures_between(lane: &Lane<'_>, a: f64, b: f64) -> Measures {
     let length = |from: f64, to: f64| {
         if from == low && to == high { whole } else { lane.length_between(from, to) }
     };
-    Measures { length: whole, time: lane.time_of(low, high, &length) }
+    Measures { length: whole, time: lane.time_of(low, high, &length).whole }
 }
 
 /// A piece of the reference line, from which s on and up to which one it holds. Places that are asked for one behind the other
@@ -285,55 +288,56 @@ impl<'a> Lane<'a> {
         Beside::new(&self.road, at, self.road.roll(at), edges.center())
     }
 
-    /// Time to travel the centre line between two places on the road at the speed limit of [`Lane::speed_limit_at`] `[s]`: 50 km/h where there is none
-    /// written, 130 km/h where there is no limit, and never less than 0.1 m/s. s outside the lane's section counts as its nearer end; with one that is
-    /// not finite: NaN.
+    /// What a route by time counts for the centre line between two places on the road `[s]`: its length at [`Lane::recorded_speed_limit_at`], at 50 km/h where no limit is recorded,
+    /// at 130 km/h where there is none, and never slower than 0.1 m/s. Signs and what comes into a junction do not count: the time at the limits of a way is
+    /// [`Path::travel_time`](crate::path::Path::travel_time)'s. s outside the lane's section counts as its nearer end; with one that is not finite: NaN.
     pub fn time_between(&self, a: f64, b: f64) -> f64 {
         if !(a.is_finite() && b.is_finite()) {
             return f64::NAN;
         }
-        self.time_of(a.min(b), a.max(b), &|from, to| self.length_between(from, to))
+        let length = |from, to| self.length_between(from, to);
+        self.time_of(a.min(b), a.max(b), &length).whole
+    }
+
+    /// How much of a time between two finite places is at a speed that no record states `[s]`.
+    pub(crate) fn assumed_time(&self, a: f64, b: f64, time: f64) -> f64 {
+        let (from, to) = (a.min(b), a.max(b));
+        let mut records = SpeedRecords::at(self, from);
+        if records.pass(from) >= to {
+            return if is_assumed(records.max()) { time } else { 0.0 };
+        }
+        let length = |from, to| self.length_between(from, to);
+        let TravelTime { whole, assumed } = self.time_of(from, to, &length);
+        if whole > 0.0 { time * (assumed / whole) } else { 0.0 }
     }
 
     /// As [`Self::time_between`], of finite s that ascend. `length` is that of a stretch.
     #[inline(never)]
-    fn time_of(&self, from: f64, to: f64, length: &dyn Fn(f64, f64) -> f64) -> f64 {
-        let (mut own, mut of_road) = (self.speeds().peekable(), self.road.types().peekable());
-        let (mut own_limit, mut limit_of_road) = (None, None);
-        let (mut time, mut last) = (0.0, from);
+    fn time_of(&self, from: f64, to: f64, length: &dyn Fn(f64, f64) -> f64) -> TravelTime {
+        let mut records = SpeedRecords::at(self, from);
+        let (mut sum, mut last) = (TravelTime { whole: 0.0, assumed: 0.0 }, from);
         loop {
-            while let Some(record) = own.next_if(|record| record.s <= last) {
-                own_limit = stated(record.kind, record.max);
+            let next = records.pass(last).min(to);
+            let limit = records.max();
+            let time = length(last, next) / travel_speed(limit.unwrap_or(ASSUMED_SPEED));
+            sum.whole += time;
+            if is_assumed(limit) {
+                sum.assumed += time;
             }
-            while let Some(record) = of_road.next_if(|record| record.s <= last) {
-                limit_of_road = stated(record.speed_kind, record.speed);
-            }
-            let changes =
-                [own.peek().map(|record| record.s), of_road.peek().map(|record| record.s)];
-            let changes = changes.into_iter().flatten();
-            let next = changes.filter(|s| *s > last && *s < to).fold(to, f64::min);
-            let speed = own_limit.or(limit_of_road).flatten().unwrap_or(ASSUMED_SPEED);
-            time += length(last, next) / travel_speed(speed);
             if next >= to {
-                return time;
+                return sum;
             }
             last = next;
         }
     }
 
-    /// Speed limit at s `[m/s]`: the lane's own record, else that of the road's type (OpenDRIVE 1.8.1, 11.8.2, 10.4).
-    /// Infinite where the file says `no limit`; none where it says nothing or states a limit that cannot be read, and for an s that is not finite.
-    /// Signals are not looked at.
-    pub fn speed_limit_at(&self, s: f64) -> Option<f64> {
+    /// The speed limit that is recorded at s `[m/s]`: in the lane's own record, else in that of the road's type (OpenDRIVE 1.8.1, 11.8.2, 10.4). Infinite where the file
+    /// says `no limit`; none where it says nothing or states a limit that cannot be read, and for an s that is not finite. What holds may be another:
+    /// [`Lane::speed_rule_at`] also knows signs, junctions and the header's regulations.
+    pub fn recorded_speed_limit_at(&self, s: f64) -> Option<f64> {
         if !s.is_finite() {
             return None;
         }
-        let own = self.speeds().take_while(|record| record.s <= s).last();
-        let own = own.and_then(|record| stated(record.kind, record.max));
-        let of_road = || {
-            let of_road = self.road.types().take_while(|record| record.s <= s).last();
-            of_road.and_then(|record| stated(record.speed_kind, record.speed))
-        };
-        own.or_else(of_road).flatten()
+        SpeedRecords::at(self, s).max()
     }
 }

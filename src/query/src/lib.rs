@@ -29,7 +29,7 @@
 //! - Along the way: [`Map::path`] has the driven line, its corridor, speeds and conflicts; [`path`]. Signals: [`Map::signals_ahead`].
 //!
 //! What may I do here?
-//! - Speed: [`Lane::speed_rule_at`]. Overtaking: [`Lane::overtaking_rule_at`]. Where to stop: [`Lane::lines_to_stop_at`]. Who goes first:
+//! - Speed: [`Lane::speed_rule_at`], [`Lane::speed_rules`]. Overtaking: [`Lane::overtaking_rule_at`]. Where to stop: [`Lane::lines_to_stop_at`]. Who goes first:
 //!   [`Lane::right_of_way`]. See [`rules`].
 //! - Who may use a lane, and change to the next one: [`graph::LaneNode::allows`], [`graph::LaneNode::change_left`].
 //!

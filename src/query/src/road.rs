@@ -11,8 +11,8 @@ use crate::section::LaneSection;
 use crate::types::{Clamped, Point, Pose, Track, TrackPosition, is_coordinate};
 use glam::{DVec2, DVec3};
 use mapd_archive::{
-    ArchivedCubicRow, ArchivedGeometryRow, ArchivedLaneLayerRow, ArchivedRoadRow, ContactPoint,
-    LinkKind, NONE, Range, RoadType, SpeedKind, string,
+    ArchivedCubicRow, ArchivedGeometryRow, ArchivedLaneLayerRow, ArchivedRoadRow,
+    ArchivedRoadTypeRow, ContactPoint, LinkKind, NONE, Range, RoadType, SpeedKind, string,
 };
 use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
 
@@ -174,13 +174,18 @@ impl<'a> Road<'a> {
     /// `road/type` records in ascending s.
     pub fn types(&self) -> impl ExactSizeIterator<Item = RoadTypeRecord> + use<'a> {
         let map = self.map;
-        self.row.types().of(map.tables().road_types).iter().map(move |r| RoadTypeRecord {
+        self.type_rows().iter().map(move |r| RoadTypeRecord {
             s: r.s(),
             kind: RoadType::from_code(r.kind()),
             speed_kind: SpeedKind::from_code(r.speed_kind()),
             speed: r.speed(),
             country: Some(r.country()).filter(|number| map.country(*number).is_some()),
         })
+    }
+
+    /// Rows of its `type` records.
+    pub(crate) fn type_rows(&self) -> &'a [ArchivedRoadTypeRow] {
+        self.row.types().of(self.map.tables().road_types)
     }
 
     /// Sections in ascending s.

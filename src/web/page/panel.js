@@ -63,7 +63,9 @@ class Panel {
   }
 
   way(way) {
-    const time = way.time >= 90 ? `${(way.time / 60).toFixed(1)} min` : `${way.time.toFixed(1)} s`;
+    const span = time => time >= 90 ? `${(time / 60).toFixed(1)} min` : `${time.toFixed(1)} s`;
+    const time = span(way.time);
+    const assumed = way.assumed_time > 0 ? `, ${span(way.assumed_time)} of it at assumed speeds where none is recorded` : "";
     const changes = `${way.lane_changes} ${way.lane_changes === 1 ? "change" : "changes"} of lane`;
     const steps = this.table(["lane", "entered", "s from [m]", "to [m]"], way.steps.map(step => [step.lane, step.enter, ...step.s]));
     const meets = this.table(["from [m]", "to [m]", "meets", "who waits", "why"],
@@ -71,7 +73,7 @@ class Panel {
     const told = way.today.length ? [this.table(["from [m]", "to [m]", "today"], way.today.map(one => [...one.along, one.entry]))] : [];
     const title = (text, count) => element("p", { className: "soft", textContent: `${text} (${count})` });
     this.open(`Route ${way.length.toFixed(1)} m, ${time}`, element("div", { className: "body" },
-      element("p", { textContent: `Shortest time of a passenger car at the speed limits of today; ${changes}.` }),
+      element("p", { textContent: `Shortest time of a passenger car at recorded speed limits and those of today${assumed}; ${changes}.` }),
       ...told, title("Lanes", way.steps.length), steps, title("Lanes that it meets", way.conflicts.length), meets));
   }
 

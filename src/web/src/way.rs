@@ -24,8 +24,10 @@ const LINE: f64 = 0.5;
 pub struct Way {
     /// Length `[m]`.
     pub length: f64,
-    /// Time at the speed limits `[s]`.
+    /// What the graph counts as time `[s]`.
     pub time: f64,
+    /// What of it is at assumed speeds `[s]`.
+    pub assumed_time: f64,
     /// Number of changes of lane.
     pub lane_changes: u32,
     /// Lane by lane.
@@ -112,6 +114,7 @@ pub fn way(view: View<'_>, from: [f64; 2], to: [f64; 2]) -> Result<DrawnWay, Str
     let way = Way {
         length: route.length,
         time: route.travel_time,
+        assumed_time: route.assumed_time,
         lane_changes: route.lane_changes,
         steps: steps.iter().filter_map(|step| table_row(map, step)).collect(),
         conflicts: conflicts.collect(),

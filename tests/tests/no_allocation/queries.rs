@@ -55,6 +55,7 @@ fn queries_about_signals_do_not_allocate() {
             seen += usize::from(lane.movement_stop().is_some()) + lane.crossings().count();
             seen += lane.movement_crossings().count();
             seen += usize::from(lane.overtaking_rule_at(5.0).all.is_some());
+            seen += lane.speed_rules().count();
             seen +=
                 usize::from(lane.speed_rule_at(5.0).max.is_some()) + lane.access_at(5.0).count();
             seen +=

@@ -107,7 +107,9 @@ fn what_is_no_place_is_an_error_and_what_lies_outside_is_clamped_and_said() {
             assert!(lane.length_between(s, 0.0).is_nan());
             assert!(road.section_at(s).is_none() && road.cross_section(s).is_none());
             assert!(lane.edge_points_at(s).is_none() && lane.node_at(s, true).is_none());
-            assert!(lane.speed_limit_at(s).is_none() && lane.speed_rule_at(s).max.is_none());
+            assert!(
+                lane.recorded_speed_limit_at(s).is_none() && lane.speed_rule_at(s).max.is_none()
+            );
             assert!(lane.road_mark_at(s).is_none());
         }
         let (start, end) = (lane.section().s_start(), lane.section().s_end());

@@ -132,7 +132,7 @@ fn check_edges(what: &str, map: Map<'_>) {
             let target = edge.target().expect("a node");
             assert_eq!(edge.source().map(|n| n.node_id()), Some(node.node_id()), "{what}");
             assert_eq!(edge.length(), node.length(), "{what}");
-            assert_eq!(edge.speed_limit(), lane.speed_limit_at(end), "{what}");
+            assert_eq!(edge.speed_limit(), lane.speed_rule_at(end).max, "{what}");
             let classes = VehicleClass::ALL.iter();
             for class in classes {
                 let both = node.allows(*class) && target.allows(*class);

@@ -51,7 +51,7 @@ fn temporary_lanes_have_geometry_and_a_name_of_their_own() {
     let ends: Vec<_> = lane.center_line().positions().map(|p| (p.x, p.y)).collect();
     assert_eq!((ends.first(), ends.last()), (Some(&(40.0, -0.75)), Some(&(60.0, -0.75))));
     assert_eq!(lane.road_marks().map(|mark| mark.s()).collect::<Vec<_>>(), [40.0]);
-    assert!((lane.speed_limit_at(50.0).expect("a limit") - 30.0 / 3.6).abs() < 1e-12);
+    assert!((lane.recorded_speed_limit_at(50.0).expect("a limit") - 30.0 / 3.6).abs() < 1e-12);
     assert_eq!((lane.nodes().count(), lane.successors().count()), (0, 0));
 }
 

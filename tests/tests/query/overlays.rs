@@ -15,6 +15,7 @@ use mapd_query::signals::SignalsAhead;
 use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
 use mapd_query::{LaneId, QueryError};
+use mapd_tests::crossroads::{crossroads, left_hand_crossroads, signal};
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
 use mapd_tests::maps::{Random, open_text};
 use mapd_tests::overlays::over;
@@ -439,6 +440,79 @@ fn what_does_not_fit() {
     check(r#","objects":["tree"]"#, r#""kind":"closed""#, "objects[0]");
     check(r#","signals":["9"]"#, r#""kind":"signal-off""#, "signals[0]");
     check(r#","lanes":[{"road":"A","lane":-3}]"#, r#""kind":"open""#, "kind");
+}
+
+/// An entry of a speed is refused if it raises the limit on any part of a lane, for any way that leads there: between two records, from a sign on, in a
+/// zone that some come from, behind a junction's entries, by the header's regulations; on the right and on the left.
+#[test]
+fn what_raises_a_limit_anywhere_is_refused() {
+    const KMH: f64 = 1.0 / 3.6;
+    let check = |snapshot: &Snapshot, road: &str, number: i32, s: &str, lowest: Option<f64>| {
+        let refused = |value: f64| {
+            let lanes = format!(r#""lanes":[{{"road":"{road}","lane":{number}{s}}}]"#);
+            let text =
+                format!(r#"{{"entries":[{{"id":"a","kind":"speed","value":{value},{lanes}}}]}}"#);
+            let document = Document::read(text.as_bytes(), &Limits::default()).expect(&text);
+            let unplaced = resolve(snapshot.map(), &document, Policy::default()).unplaced;
+            assert!(unplaced.iter().all(|unfit| unfit.field == "value"), "{text}: {unplaced:?}");
+            !unplaced.is_empty()
+        };
+        let what = format!("{road}, {number}{s}");
+        match lowest {
+            Some(lowest) => {
+                assert!(!refused(lowest), "{what}: as low");
+                assert!(refused(lowest + 0.02), "{what}: {lowest}");
+            }
+            None => assert!(!refused(100.0), "{what}: unknown"),
+        }
+    };
+    let sign = |id: &str, s: f64, t: f64, orientation: &str, code: &str, value: u32| {
+        signal(id, s, t, orientation, code, &format!(r#"value="{value}" unit="km/h""#))
+    };
+    let straight = |signals: &str, types: &str, lane_speeds: &str| {
+        let line = Line(0.0, 0.0, 0.0, 100.0, 0.0);
+        let right = lane(-1, "").replace("</lane>", &format!("{lane_speeds}</lane>"));
+        let text = road("A", "", line, "", &section(0.0, &lane(1, ""), &right));
+        let text = text.replace("</lanes>", &format!("</lanes><signals>{signals}</signals>"));
+        open_text(&document(&text.replace("<planView>", &format!("{types}<planView>"))))
+    };
+    let fifty = r#"<type s="0" type="town"><speed max="50" unit="km/h"/></type>"#;
+    // A sign and its end between the road's only record and its end, where neither the ends of the entry nor its middle lie.
+    for (number, t, orientation, [begin, end]) in
+        [(-1, -5.0, "+", [20.0, 40.0]), (1, 5.0, "-", [40.0, 20.0])]
+    {
+        let signals = sign("b", begin, t, orientation, "274", 30)
+            + &sign("e", end, t, orientation, "278", 30);
+        let map = straight(&signals, fifty, "");
+        check(&map, "A", number, "", Some(30.0 * KMH));
+        check(&map, "A", number, r#","s":[35,45]"#, Some(30.0 * KMH));
+        check(&map, "A", number, r#","s":[40,90]"#, Some(50.0 * KMH));
+        check(&map, "A", -number, "", Some(50.0 * KMH));
+    }
+    let records = r#"<speed sOffset="60" max="20" unit="km/h"/><speed sOffset="61" max="70" unit="km/h"/><speed sOffset="80" max="90" unit="knots"/>"#;
+    let map = straight("", fifty, records);
+    check(&map, "A", -1, "", Some(20.0 * KMH));
+    check(&map, "A", -1, r#","s":[61,79]"#, Some(70.0 * KMH));
+    check(&map, "A", -1, r#","s":[80,100]"#, None);
+    // Behind the junction the zone holds for those who come by arm 0 only; in it, the limit of the arm.
+    for left_hand in [false, true] {
+        let side = if left_hand { -1.0 } else { 1.0 };
+        let signals = std::array::from_fn(|arm| match arm {
+            0 => sign("Z", 50.0, 5.0 * side, "-", "274.1", 30),
+            1 => sign("L", 50.0, 5.0 * side, "-", "274", 40),
+            _ => String::new(),
+        });
+        let map = open_text(&match left_hand {
+            true => left_hand_crossroads(signals, "", ""),
+            false => crossroads(signals, "", ""),
+        });
+        let (inward, outward) = if left_hand { (-1, 1) } else { (1, -1) };
+        check(&map, "0", inward, r#","s":[0,50]"#, Some(30.0 * KMH));
+        check(&map, "0", inward, r#","s":[50,90]"#, None);
+        check(&map, "2", outward, "", Some(30.0 * KMH));
+        check(&map, "0", outward, "", None);
+        check(&map, "12", outward, "", Some(40.0 * KMH));
+    }
 }
 
 /// What is about other vehicles does not cut a vehicle's ways; an overlay that does not say whom its nodes concern gives the same routes.

@@ -199,6 +199,9 @@ fn a_zone_lasts_beyond_junctions_until_it_ends() {
     assert_eq!(rule("12:0:-1", 5.0).max, None);
     for (key, s) in [("1:0:-1", 20.0), ("2:0:-1", 90.0)] {
         assert_eq!((rule(key, s).max, rule(key, s).origin), (None, SpeedOrigin::Depends), "{key}");
+        let mut along = lane_by(map, key).speed_rules();
+        let own = along.find(|own| own.s.low <= s && s <= own.s.high).expect("a stretch");
+        assert_eq!((own.rule, own.lowest), (rule(key, s), Some(30.0 * KMH)), "{key}");
     }
     assert_eq!(rule("1:0:-1", 60.0).origin, SpeedOrigin::None);
     along(map, ("0:0:1", 70.0), ("1:0:-1", 90.0), |path| {

@@ -7,11 +7,14 @@ use mapd_client::{LaneId, Map, SignalId};
 use mapd_query::path::{
     Path, PathBuffer, PathFact, PathFactKind, PathLane, PathOptions, PathSpeed, steps_of_lanes,
 };
-use mapd_query::rules::{LineSource, SpeedOrigin};
+use mapd_query::rules::{LineSource, SpeedOrigin, SpeedStretch};
+use mapd_query::view::View;
 use mapd_tests::crossroads::{ARMS, crossroads, light, signal};
 use mapd_tests::graph_maps::{Line, document, lane, road, section};
-use mapd_tests::maps::{Random, carried_and, open, open_text};
-use std::cell::RefCell;
+use mapd_tests::maps::{Random, carried_and, open, open_accepted, open_text};
+use std::cell::{Cell, RefCell};
+use std::path::PathBuf;
+use std::time::SystemTime;
 
 /// Towns with lights, lines and crossings, tunnels, left-hand traffic, types of roads.
 pub(crate) const MAPS: [&str; 6] = [
@@ -305,6 +308,83 @@ fn all_speed_limits_along_a_path_are_those_of_its_lanes() {
     let has_corpus = mapd_tests::shared("maps").is_some();
     assert!(direct > if has_corpus { 100 } else { 40 }, "{direct}");
     assert!(came_in > 0 || !has_corpus, "{came_in}");
+}
+
+/// Every call that tells a speed limit says the same: lanes, edges and views of all places, paths where the lane knows; and no way has less than the lowest that the lane tells.
+#[test]
+fn all_calls_agree_on_speed_limits() {
+    /// Pairs of places on each map between which a way is looked for.
+    const FEW: usize = 6;
+    let folders = ["found/maps", "found/lanes", "found/views"];
+    let folders = folders.iter().filter_map(|name| mapd_tests::shared(name));
+    let found =
+        folders.flat_map(|folder| std::fs::read_dir(folder).into_iter().flatten().flatten());
+    let found = found.map(|file| file.path());
+    let corpus = mapd_tests::corpus().unwrap_or_default().into_iter().map(|(_, path)| path);
+    let mut files: Vec<PathBuf> =
+        found.chain(corpus).filter(|path| path.extension().is_some_and(|e| e == "xodr")).collect();
+    files.sort();
+    files.extend(carried_and(&[]));
+    let (lanes, on_paths, depends) = (Cell::new(0), Cell::new(0), Cell::new(0));
+    for file in &files {
+        let Some(snapshot) = open_accepted(file) else { continue };
+        let name = file.display();
+        let map = snapshot.map();
+        let view = View::new(map, None, SystemTime::UNIX_EPOCH).expect("its own");
+        for lane in map.lanes().filter(|lane| lane.number() != 0) {
+            let section = lane.section();
+            let mut end = section.s_start();
+            let mut last: Option<SpeedStretch> = None;
+            for own in lane.speed_rules() {
+                let what = format!("{name}: {} {own:?}", lane.key());
+                assert!(own.s.low == end && own.s.high > end, "{what}");
+                end = own.s.high;
+                let middle = 0.5 * (own.s.low + own.s.high);
+                assert_eq!(lane.speed_rule_at(middle), own.rule, "{what}");
+                let today = view.speed_rule_at(lane.lane_id(), middle, VehicleClass::Truck);
+                assert_eq!(today.expect("an answer").map, own.rule, "{what}");
+                if own.rule.origin != SpeedOrigin::Depends {
+                    assert_eq!(own.lowest, own.rule.max, "{what}");
+                }
+                let goes_on =
+                    |last: SpeedStretch| (last.rule, last.lowest) == (own.rule, own.lowest);
+                assert!(!last.is_some_and(goes_on), "{what}");
+                last = Some(own);
+                lanes.set(lanes.get() + 1);
+            }
+            assert!(end == section.s_end() || section.s_end() <= section.s_start(), "{name}");
+        }
+        let check = |map: Map<'_>, path: &Path<'_, '_>, name: &str| {
+            let mut speeds: Vec<PathSpeed> = Vec::new();
+            path.speeds(&mut speeds);
+            for own in speeds.iter().filter(|own| own.along[1] - own.along[0] > ROUNDING) {
+                let at = path.at(0.5 * (own.along[0] + own.along[1])).expect("a place");
+                let lane = map.lane(at.lane).expect("a lane");
+                let mut along = lane.speed_rules();
+                let Some(there) = along.find(|there| there.s.low < at.s && at.s < there.s.high)
+                else {
+                    continue;
+                };
+                let what = format!("{name}: {own:?} {there:?}");
+                assert_eq!(path.speed_at(at.along), Some(own.rule), "{what}");
+                if there.rule.origin != SpeedOrigin::Depends {
+                    assert_eq!(own.rule.max, there.rule.max, "{what}");
+                    on_paths.set(on_paths.get() + 1);
+                } else if let Some(max) = own.rule.max {
+                    assert!(there.lowest.is_some_and(|lowest| lowest <= max), "{what}");
+                    depends.set(depends.get() + 1);
+                }
+            }
+        };
+        each_path_of(vec![file.clone()], FEW, &PathOptions::default(), |map, path, _, name, _| {
+            check(map, path, name);
+        });
+    }
+    let has_corpus = files.len() > 2;
+    let counts = [lanes.get(), on_paths.get(), depends.get()];
+    mapd_tests::say(&format!("{counts:?} stretches of lanes, of paths, of those that depend"));
+    assert!(lanes.get() > if has_corpus { 10_000 } else { 10 }, "{counts:?}");
+    assert!(on_paths.get() > if has_corpus { 300 } else { 1 }, "{counts:?}");
 }
 
 /// A part that is left out of the map is told where the path comes near.

@@ -1,6 +1,6 @@
 //! Paths over lists of lanes that somebody has made, how long they take, and the facts of roads along them.
 
-use mapd_client::route::RouteStep;
+use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestTime};
 use mapd_client::vocabulary::VehicleClass;
 use mapd_client::{LaneId, Map, QueryError};
 use mapd_query::path::{
@@ -170,6 +170,19 @@ fn time_is_told_where_a_limit_is_known_and_length_where_none_is() {
     for part in [[2.0, 1.0], [f64::NAN, 1.0], [0.0, f64::INFINITY]] {
         assert_eq!(path.travel_time(part).err(), Some(PathError::NotInOrder), "{part:?}");
     }
+    // The graph counts no limit as 130 km/h and what is unknown as 50 km/h, and says how much of the sum that is.
+    let own = ids(map, &["1:0:-1"])[0];
+    let ends = [10.0, 100.0].map(|s| PositionOnLane { lane: own, s });
+    let (cost, mut scratch) = (ShortestTime::default(), RouteScratch::default());
+    let route =
+        map.route(ends[0], ends[1], VehicleClass::PassengerCar, &cost, &mut scratch, &mut steps);
+    let route = route.expect("an answer").expect("a way");
+    let assumed = 15.0 / (130.0 * KMH) + 15.0 / fast;
+    // The graph's node has its whole time in single precision, of which the route drives nine tenths.
+    let whole = 40.0 / fast + assumed + 30.0 / slow;
+    assert!((route.travel_time - 0.9 * whole).abs() < 1e-5, "{route:?}");
+    let share = assumed / (30.0 / fast + assumed + 30.0 / slow);
+    assert!((route.assumed_time - share * route.travel_time).abs() < 1e-9, "{route:?}");
     let none = PathTime { time: 0.0, unlimited: 0.0 };
     assert_eq!(path.travel_time([500.0, 600.0]), Ok(none));
 }

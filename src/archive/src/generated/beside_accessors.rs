@@ -424,7 +424,7 @@ impl ArchivedLaneNodeRow {
     pub fn length(&self) -> f32 {
         self.length.to_native()
     }
-    /// `[s]` Time to pass it at the speed limit.
+    /// `[s]` What a route by time counts for it: its length at the recorded speed limits, at 50 km/h where none is recorded, at 130 km/h where there is none.
     #[inline]
     pub fn time(&self) -> f32 {
         self.time.to_native()

@@ -145,7 +145,7 @@ impl ArchivedPieceRow {
     pub fn length(&self) -> f32 {
         self.length.to_native()
     }
-    /// `[s]` Time to pass it at the map's speed limits.
+    /// `[s]` What a route by time counts for it without the entries.
     #[inline]
     pub fn time(&self) -> f32 {
         self.time.to_native()
@@ -176,7 +176,7 @@ impl ArchivedCutsRow {
     pub fn length_factor(&self) -> f64 {
         self.length_factor.to_native()
     }
-    /// `[s]` As `length_saved`, of times at the map's speed limits.
+    /// `[s]` As `length_saved`, of the times that the map's graph counts.
     #[inline]
     pub fn time_saved(&self) -> f64 {
         self.time_saved.to_native()

@@ -108,7 +108,7 @@ pub struct PieceRow {
     pub before: f32,
     /// `[m]` Length of the centre line in plan view.
     pub length: f32,
-    /// `[s]` Time to pass it at the map's speed limits.
+    /// `[s]` What a route by time counts for it without the entries.
     pub time: f32,
 }
 const _: () = assert!(size_of::<PieceRow>() == 40 && size_of::<ArchivedPieceRow>() == 40);
@@ -134,7 +134,7 @@ pub struct CutsRow {
     pub length_saved: f64,
     /// Of nodes that are cut and joined by changes of lane, the smallest quotient of what is left at least, the shortest of each piece, and the longest node; at most 1.
     pub length_factor: f64,
-    /// `[s]` As `length_saved`, of times at the map's speed limits.
+    /// `[s]` As `length_saved`, of the times that the map's graph counts.
     pub time_saved: f64,
     /// As `length_factor`, of times.
     pub time_factor: f64,

@@ -294,7 +294,7 @@ impl ArchivedSpeedSignsAtEntryRow {
     pub fn limit(&self) -> u32 {
         self.limit.to_native()
     }
-    /// The sign of a zone, in force until a sign ends it, if it is the same on all lanes that lead here.
+    /// The sign of a zone, in force until a sign ends it, if it is the same on all lanes that lead here; if `zone_depends` is 1 that of the lowest.
     #[inline]
     pub fn zone(&self) -> u32 {
         self.zone.to_native()

@@ -153,7 +153,7 @@ pub struct SpeedSignsAtEntryRow {
     pub lane: u32,
     /// The sign of a limit, which holds over lanes that lead on alone, not beyond a junction.
     pub limit: u32,
-    /// The sign of a zone, in force until a sign ends it, if it is the same on all lanes that lead here.
+    /// The sign of a zone, in force until a sign ends it, if it is the same on all lanes that lead here; if `zone_depends` is 1 that of the lowest.
     pub zone: u32,
     /// 1: the lanes that lead here are in different zones, or some in one and some in none.
     pub zone_depends: u8,

@@ -64,6 +64,7 @@ using SignalFacts = mapd_signal_facts;
 using LaneSignal = mapd_lane_signal;
 using NearSignal = mapd_near_signal;
 using SpeedRule = mapd_speed_rule;
+using SpeedStretch = mapd_speed_stretch;
 using SignalAhead = mapd_signal_ahead;
 using LaneLine = mapd_lane_line_at;
 using RightOfWay = mapd_right_of_way;

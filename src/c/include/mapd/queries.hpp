@@ -545,10 +545,10 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::value<double>([&](auto... rest) { return mapd_lane_width_at(get(), lane, s, rest...); });
   }
 
-  /// Speed limit at s [m/s]: the lane's own record, else that of the road's type; infinite where the file says `no limit`. Signs count in
-  /// `mapd_lane_speed_rule_at`.
-  Result<std::optional<double>> try_speed_limit_at(LaneId lane, double s) const {
-    return detail::optional<double>([&](auto... rest) { return mapd_lane_speed_limit_at(get(), lane, s, rest...); });
+  /// The speed limit that is recorded at s [m/s]: in the lane's own record, else in that of the road's type; infinite where the file says `no limit`. What
+  /// holds may be another: `mapd_lane_speed_rule_at`.
+  Result<std::optional<double>> try_recorded_speed_limit_at(LaneId lane, double s) const {
+    return detail::optional<double>([&](auto... rest) { return mapd_lane_recorded_speed_limit_at(get(), lane, s, rest...); });
   }
 
   /// Length of the centre line in plan view between two places on the road [m]. s outside the lane's section counts as its nearer end.
@@ -556,8 +556,9 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::value<double>([&](auto... rest) { return mapd_lane_length_between(get(), lane, a, b, rest...); });
   }
 
-  /// Time to travel the centre line between two places on the road at the speed limit of `mapd_lane_speed_limit_at` [s]: 50 km/h where there is none written,
-  /// 130 km/h where there is no limit. s outside the lane's section counts as its nearer end.
+  /// What a route by time counts for the centre line between two places on the road [s]: its length at `mapd_lane_recorded_speed_limit_at`, at 50 km/h where no
+  /// limit is recorded, at 130 km/h where there is none. The time at the limits of a way is `mapd_path_travel_time`. s outside the lane's section counts as its
+  /// nearer end.
   Result<double> try_time_between(LaneId lane, double a, double b) const {
     return detail::value<double>([&](auto... rest) { return mapd_lane_time_between(get(), lane, a, b, rest...); });
   }
@@ -601,7 +602,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   LaneEdges edges_at(LaneId lane, double s) const { return try_edges_at(lane, s).value(); }
   LaneBounds bounds_at(LaneId lane, double s) const { return try_bounds_at(lane, s).value(); }
   double width_at(LaneId lane, double s) const { return try_width_at(lane, s).value(); }
-  std::optional<double> speed_limit_at(LaneId lane, double s) const { return try_speed_limit_at(lane, s).value(); }
+  std::optional<double> recorded_speed_limit_at(LaneId lane, double s) const { return try_recorded_speed_limit_at(lane, s).value(); }
   double length_between(LaneId lane, double a, double b) const { return try_length_between(lane, a, b).value(); }
   double time_between(LaneId lane, double a, double b) const { return try_time_between(lane, a, b).value(); }
   OvertakingRule overtaking_rule_at(LaneId lane, double s) const { return try_overtaking_rule_at(lane, s).value(); }
@@ -908,6 +909,15 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::value<SpeedRule>([&](auto... rest) { return mapd_lane_speed_rule_at(get(), lane, s, rest...); });
   }
 
+  /// The speed limits along the lane, in ascending s without gaps, each as `mapd_lane_speed_rule_at` has it between the ends of its stretch; where the limit
+  /// depends on the way, with the lowest that may hold.
+  Result<std::vector<SpeedStretch>> try_speed_rules(LaneId lane) const {
+    return detail::list<SpeedStretch>([&](auto... rest) { return mapd_lane_speed_rules(get(), lane, rest...); });
+  }
+  Error try_speed_rules(LaneId lane, std::vector<SpeedStretch>& out) const {
+    return detail::list_into(out, [&](auto... rest) { return mapd_lane_speed_rules(get(), lane, rest...); });
+  }
+
   /// Every signal that stands as near to a point as `radius` [m] in plan view, nearest first, whatever lanes it is for.
   Result<std::vector<NearSignal>> try_signals_near(Vec2 point, double radius, Scratch& scratch) const {
     return detail::list<NearSignal>([&](auto... rest) { return mapd_signals_near(get(), point, radius, scratch.get(), rest...); });
@@ -929,6 +939,8 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   std::vector<LaneSignal> lane_signals(LaneId lane, std::uint32_t which) const { return try_lane_signals(lane, which).value(); }
   void lane_signals(LaneId lane, std::uint32_t which, std::vector<LaneSignal>& out) const { detail::must(try_lane_signals(lane, which, out)); }
   SpeedRule speed_rule_at(LaneId lane, double s) const { return try_speed_rule_at(lane, s).value(); }
+  std::vector<SpeedStretch> speed_rules(LaneId lane) const { return try_speed_rules(lane).value(); }
+  void speed_rules(LaneId lane, std::vector<SpeedStretch>& out) const { detail::must(try_speed_rules(lane, out)); }
   std::vector<NearSignal> signals_near(Vec2 point, double radius, Scratch& scratch) const { return try_signals_near(point, radius, scratch).value(); }
   void signals_near(Vec2 point, double radius, Scratch& scratch, std::vector<NearSignal>& out) const { detail::must(try_signals_near(point, radius, scratch, out)); }
   std::vector<SignalId> signals_in(Region region, Scratch& scratch) const { return try_signals_in(region, scratch).value(); }

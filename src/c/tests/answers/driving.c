@@ -22,6 +22,7 @@ static void add_sum(struct numbers *out, const mapd_route_sum *sum, const mapd_r
   add_f(out, sum->cost);
   add_f(out, sum->length);
   add_f(out, sum->travel_time);
+  add_f(out, sum->assumed_time);
   add_u(out, sum->lane_changes);
   add_steps(out, steps, count);
 }

@@ -50,13 +50,25 @@ static void at(mapd_lane_id lane, double s, struct numbers *out) {
   uint8_t allowed;
   must(mapd_lane_width_at(map, lane, s, &width, &error));
   add_f(out, width);
-  add_u(out, (uint64_t)is(mapd_lane_speed_limit_at(map, lane, s, &limit, &error)));
+  add_u(out, (uint64_t)is(mapd_lane_recorded_speed_limit_at(map, lane, s, &limit, &error)));
   add_f(out, limit);
   must(mapd_lane_speed_rule_at(map, lane, s, &rule, &error));
   add_u(out, rule.has_max);
   add_f(out, rule.max);
   must(mapd_lane_allows_at(map, lane, s, CAR, &allowed, &error));
   add_u(out, allowed);
+  static mapd_speed_stretch stretches[MOST];
+  size_t count;
+  must(mapd_lane_speed_rules(map, lane, stretches, MOST, &count, &error));
+  add_u(out, count);
+  for (size_t i = 0; i < count; ++i) {
+    add_f(out, stretches[i].s_low);
+    add_f(out, stretches[i].s_high);
+    add_u(out, stretches[i].rule.has_max);
+    add_f(out, stretches[i].rule.max);
+    add_u(out, stretches[i].has_lowest);
+    add_f(out, stretches[i].lowest);
+  }
 }
 
 static void facts(mapd_lane_id lane, struct numbers *out) {

@@ -135,8 +135,13 @@ class Answerer {
   void at(Question& q, Numbers& a) {
     const auto at = q.place();
     const auto rule = map_.speed_rule_at(at.lane, at.s);
-    a.f(map_.width_at(at.lane, at.s)).option(map_.speed_limit_at(at.lane, at.s));
+    a.f(map_.width_at(at.lane, at.s)).option(map_.recorded_speed_limit_at(at.lane, at.s));
     a.u(rule.has_max).f(rule.max).u(map_.allows_at(at.lane, at.s, car));
+    const auto stretches = map_.speed_rules(at.lane);
+    a.u(stretches.size());
+    for (const auto& own : stretches) {
+      a.f(own.s_low).f(own.s_high).u(own.rule.has_max).f(own.rule.max).u(own.has_lowest).f(own.lowest);
+    }
   }
   void lane(Question& q, Numbers& a) {
     const auto lane = q.id();
@@ -193,7 +198,7 @@ class Answerer {
     const auto route = found_route(q);
     a.u(route.has_value());
     if (!route) return;
-    a.all(route->sum.cost, route->sum.length, route->sum.travel_time).u(route->sum.lane_changes);
+    a.all(route->sum.cost, route->sum.length, route->sum.travel_time, route->sum.assumed_time).u(route->sum.lane_changes);
     a.steps(route->steps);
   }
   void lines(Question& q, Numbers& a) {

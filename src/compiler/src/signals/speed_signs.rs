@@ -25,7 +25,18 @@ struct State {
 enum ZoneState {
     None,
     Of(u32),
-    Depends,
+    /// With the sign of the lowest of the zones.
+    Depends(u32),
+}
+
+impl ZoneState {
+    /// The sign of the zone, or of the lowest of several.
+    fn sign(self) -> Option<u32> {
+        match self {
+            Self::None => None,
+            Self::Of(sign) | Self::Depends(sign) => Some(sign),
+        }
+    }
 }
 
 impl State {
@@ -35,7 +46,9 @@ impl State {
         let zone = match signs.zone {
             Zone::None => ZoneState::None,
             Zone::Of(sign) => ZoneState::Of(sign.signal_id().row()),
-            Zone::Depends => ZoneState::Depends,
+            Zone::Depends(Some(sign)) => ZoneState::Depends(sign.signal_id().row()),
+            // The states here always name one.
+            Zone::Depends(None) => ZoneState::None,
         };
         Self { limit: signs.limit.map(|sign| sign.signal_id().row()), zone }
     }
@@ -45,7 +58,7 @@ impl State {
         let zone = match self.zone {
             ZoneState::None => Zone::None,
             ZoneState::Of(row) => signal(row).map_or(Zone::None, Zone::Of),
-            ZoneState::Depends => Zone::Depends,
+            ZoneState::Depends(row) => Zone::Depends(signal(row)),
         };
         SpeedSigns { limit: self.limit.and_then(signal), zone }
     }
@@ -79,11 +92,8 @@ pub(super) fn find(rows: &Rows, resolved: &Resolved) -> (Vec<SpeedSignsAtEntryRo
 }
 
 fn row(lane: u32, state: &State) -> SpeedSignsAtEntryRow {
-    let zone = match state.zone {
-        ZoneState::Of(row) => row,
-        _ => NONE,
-    };
-    let zone_depends = u8::from(state.zone == ZoneState::Depends);
+    let zone = state.zone.sign().unwrap_or(NONE);
+    let zone_depends = u8::from(matches!(state.zone, ZoneState::Depends(_)));
     SpeedSignsAtEntryRow {
         lane,
         limit: state.limit.unwrap_or(NONE),
@@ -124,7 +134,7 @@ fn solve(map: Map<'_>, lanes: usize) -> (Vec<SpeedSignsAtEntryRow>, BTreeMap<u32
     }
     let mut endless = BTreeMap::new();
     for (number, state) in (0u32..).zip(&entry) {
-        if state.is_none_or(|state| state.zone != ZoneState::Depends) {
+        if !matches!(state, Some(State { zone: ZoneState::Depends(_), .. })) {
             continue;
         }
         for before in map.lane_by_row(number).into_iter().flat_map(|lane| lane.predecessors()) {
@@ -162,6 +172,13 @@ fn meet(map: Map<'_>, lane: &Lane<'_>, exit: &[Option<State>], reached: &[bool])
         exit[id.row() as usize].filter(|_| goes_on)?.limit
     });
     let value = |row: u32| map.signals().nth(row as usize).and_then(|sign| sign.value());
+    // Of equal ones the first in the file, whatever the order in which they are met.
+    let lowest = |a: ZoneState, b: ZoneState| {
+        let limit = |row: &u32| value(*row).unwrap_or(f64::INFINITY);
+        let signs = a.sign().into_iter().chain(b.sign());
+        let first = signs.min_by(|a, b| limit(a).total_cmp(&limit(b)).then(a.cmp(b)));
+        first.map_or(ZoneState::None, ZoneState::Depends)
+    };
     let mut zone: Option<ZoneState> = None;
     for id in lane.predecessors() {
         // What no sign leads to has no zone; what one leads to will be known.
@@ -176,7 +193,7 @@ fn meet(map: Map<'_>, lane: &Lane<'_>, exit: &[Option<State>], reached: &[bool])
                 ZoneState::Of(a.min(b))
             }
             (Some(known), own) if known == own => known,
-            _ => ZoneState::Depends,
+            (Some(known), own) => lowest(known, own),
         });
     }
     zone.map(|zone| State { limit, zone })

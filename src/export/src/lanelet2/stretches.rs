@@ -5,7 +5,6 @@ use mapd_client::glam::DVec3;
 use mapd_client::graph::LaneNode;
 use mapd_client::roads::LinePoint;
 use mapd_client::roads::RoadMark;
-use mapd_client::vocabulary::ClassGroup;
 use mapd_client::{Lane, LaneSection, Map};
 use std::collections::HashMap;
 
@@ -183,9 +182,7 @@ fn cuts(section: &LaneSection<'_>, lanes: &[Lane<'_>]) -> Vec<f64> {
 
 /// Where a lane's speed limit or the mark on its border changes.
 fn changes(lane: &Lane<'_>) -> Vec<f64> {
-    let mut out: Vec<f64> = lane.speeds().map(|record| record.s).collect();
-    let signs = lane.signals().filter(|one| one.signal().class().group() == ClassGroup::Speed);
-    out.extend(signs.map(|one| one.s_on(lane)));
+    let mut out: Vec<f64> = lane.speed_rules().skip(1).map(|own| own.s.low).collect();
     let marks: Vec<RoadMark<'_>> = lane.road_marks().collect();
     let look = |mark: &RoadMark<'_>| (mark.kind(), mark.color(), mark.weight());
     let pairs = marks.windows(2).filter(|pair| look(&pair[0]) != look(&pair[1]));

@@ -41,7 +41,7 @@ pub(super) fn areas(map: Map<'_>, sink: &mut Sink<'_>) -> Result<()> {
     for lane in lanes(map) {
         let (section, road) = (lane.section(), lane.road());
         let (from, to) = (section.s_start(), section.s_end());
-        let limit = lane.speed_limit_at(0.5 * (from + to));
+        let limit = lane.speed_rule_at(0.5 * (from + to)).max;
         let mut corners: Vec<DVec3> = lane.left_bound_of_reference_line().positions().collect();
         let right: Vec<DVec3> = lane.right_bound_of_reference_line().positions().collect();
         corners.extend(right.into_iter().rev());

@@ -284,7 +284,7 @@ class RoadMarkSegments(BoundarySegments):
 class LaneNodes(Columns):
     """Nodes of the lane graph: lanes, or pieces of them, travelled in one direction, with s where they begin and end in that direction [m].
 
-    ``length`` is the centre line's [m], ``travel_time`` that at the speed limits [s]. ``left`` and ``right`` are the rows of nodes beside them that are travelled the
+    ``length`` is the centre line's [m], ``travel_time`` what a route by time counts [s]. ``left`` and ``right`` are the rows of nodes beside them that are travelled the
     same way, -1 where there is none, and ``change_left`` and ``change_right`` say whether road marks allow a change of lane there. ``component`` is the strongly
     connected component; no edge leads from a higher number to a lower one.
     """

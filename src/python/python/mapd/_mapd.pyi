@@ -91,6 +91,7 @@ from ._results import (
     SignalAhead,
     SignalLink,
     SpeedRule,
+    SpeedStretch,
     SpeedToday,
     Stance,
     Structure,
@@ -777,6 +778,8 @@ class Lane:
         """Width at s [m]."""
     def speed_rule_at(self, s: float) -> SpeedRule:
         """Speed limit at s, signs included, and who says so."""
+    def speed_rules(self) -> list[SpeedStretch]:
+        """The speed limits along it, in ascending s without gaps."""
     def overtaking_rule_at(self, s: float) -> OvertakingRule:
         """The signs that forbid overtaking at s [m]."""
     def allows_at(self, s: float, vehicle: str = "passengerCar") -> bool:
@@ -843,10 +846,10 @@ class Lane:
         """The centre line's exact place at s [m], with its own direction; s outside the lane's section is moved to its nearer end and flagged."""
     def pose_of_reference_line(self, s: float, offset: float = 0.0) -> Pose:
         """As pose_at, as the reference line has it: ahead is towards +s, and `offset` [m] is to the left of that."""
-    def speed_limit_at(self, s: float) -> float | None:
-        """The limit [m/s] that lane and road write at s [m], without signs; infinite where there is none, None where nothing is written."""
+    def recorded_speed_limit_at(self, s: float) -> float | None:
+        """The limit [m/s] that lane or road record at s [m]; infinite where there is none, None where nothing is recorded. What holds may be another: speed_rule_at."""
     def time_between(self, s_from: float, s_to: float) -> float:
-        """How long a car takes from one place to another [m] at the speed limits [s]."""
+        """What a route by time counts from one place to another [m]: at recorded limits, at 50 km/h where there is none [s]."""
     def conflicts(self) -> list[LaneConflict]:
         """Where its area meets those of other lanes of its junction."""
     def node_at(self, s: float, forward: bool | None = None) -> int | None:

@@ -276,7 +276,9 @@ class Route:
     length: float
     """Along centre lines [m]."""
     travel_time: float
-    """At the speed limits [s]."""
+    """What the graph counts as time [s]: at recorded limits, at assumed speeds where there is none. Path.travel_time has the time at the limits that hold."""
+    assumed_time: float
+    """What of it is at assumed speeds [s]."""
     lane_changes: int
     steps: tuple[RouteStep, ...]
     start: int = 0
@@ -623,6 +625,17 @@ class PathFact(NamedTuple):
     """Of a bridge, tunnel or hole: its number in the map."""
     vehicles: tuple[str, ...] | None = None
     """Of access: classes of vehicles that may use the driven lane in its driven direction."""
+
+
+class SpeedStretch(NamedTuple):
+    """A stretch of a lane on which one speed limit holds."""
+
+    s_from: float
+    s_to: float
+    """s of both ends [m]."""
+    rule: SpeedRule
+    lowest: float | None
+    """The limit, or where it depends on the way the lowest that may hold [m/s]; infinite where there is none, None where nothing is known."""
 
 
 class PathSpeed(NamedTuple):

@@ -60,12 +60,12 @@ impl Lane {
         pose(py, &self.lane()?.pose_of_reference_line(s, offset).map_err(query)?)
     }
 
-    /// The limit [m/s] that lane and road write at s [m], without signs; infinite where there is none, None where nothing is written.
-    fn speed_limit_at(&self, s: f64) -> PyResult<Option<f64>> {
-        Ok(self.lane()?.speed_limit_at(finite(s).map_err(query)?))
+    /// The limit [m/s] that lane or road record at s [m]; infinite where there is none, None where nothing is recorded. What holds may be another: speed_rule_at.
+    fn recorded_speed_limit_at(&self, s: f64) -> PyResult<Option<f64>> {
+        Ok(self.lane()?.recorded_speed_limit_at(finite(s).map_err(query)?))
     }
 
-    /// How long a car takes from one place to another [m] at the speed limits [s].
+    /// What a route by time counts from one place to another [m]: at recorded limits, at 50 km/h where there is none [s].
     fn time_between(&self, s_from: f64, s_to: f64) -> PyResult<f64> {
         let [from, to] = [s_from, s_to].map(finite);
         Ok(self.lane()?.time_between(from.map_err(query)?, to.map_err(query)?))

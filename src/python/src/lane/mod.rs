@@ -159,6 +159,22 @@ impl Lane {
         speed_rule(py, &self.held, &rule)
     }
 
+    /// The speed limits along it, in ascending s without gaps.
+    fn speed_rules<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let one = |own: mapd_client::rules::SpeedStretch| {
+            let rule = speed_rule(py, &self.held, &own.rule)?;
+            let fields = fields!(
+                py,
+                s_from = own.s.low,
+                s_to = own.s.high,
+                rule = rule,
+                lowest = own.lowest
+            );
+            result(py, "SpeedStretch", &fields)
+        };
+        self.lane()?.speed_rules().map(one).collect()
+    }
+
     /// The signs that forbid overtaking at s [m].
     fn overtaking_rule_at<'py>(&self, py: Python<'py>, s: f64) -> PyResult<Bound<'py, PyAny>> {
         let rule = self.lane()?.overtaking_rule_at(crate::input::finite(s).map_err(query)?);

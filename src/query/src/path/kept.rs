@@ -148,10 +148,7 @@ impl<C: RouteCost> Sum<'_, C> {
                     share_before(&node, to) - share_before(&node, from)
                 };
                 self.add(self.cost.pass(&node) * share.max(0.0))?;
-                self.route.length += length;
-                let whole = node.length();
-                self.route.travel_time +=
-                    if whole > 0.0 { node.travel_time() * (length / whole) } else { 0.0 };
+                self.route.drive(&node, lane, [from, to], length);
             }
             last = Some(node);
         }

@@ -3,7 +3,7 @@
 use super::{Path, PathBuffer, PathError, Piece, Span};
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::rules::{SpeedOrigin, SpeedRule, SpeedSigns, Zone, is_of_speed};
+use crate::rules::{Carried, Limits, NOTHING, SpeedRule, SpeedSigns, Zone};
 use mapd_archive::NONE;
 
 /// A stretch of a path on which one speed limit holds.
@@ -49,8 +49,6 @@ impl Limit {
     pub(super) const NONE: Self = Self { rule: NOTHING, until: f64::NEG_INFINITY };
 }
 
-/// Nothing is known.
-const NOTHING: SpeedRule = SpeedRule { max: None, origin: SpeedOrigin::None, signal: None };
 /// S of a record and s of a place may differ by rounding `[m]`.
 const ROUNDING: f64 = 1e-6;
 
@@ -59,7 +57,7 @@ const ROUNDING: f64 = 1e-6;
 pub(super) struct Way {
     /// The last piece whose lane knows which zone its traffic leaves it in; none where the own lane knows, and where no piece does.
     zone: u32,
-    /// For a piece in a junction the last one before with a limit, or that before the junction; none where the path begins in it.
+    /// For a piece in a junction the last one before on which a limit is stated, or that before the junction, or the path's first; none for that itself.
     entry: u32,
 }
 
@@ -121,17 +119,27 @@ impl<'a> Path<'a, '_> {
         for (number, piece) in self.buffer.pieces.iter().enumerate().skip(first) {
             let [begin, end] = self.ends_of(piece);
             let (mut along, end) = (begin.max(from), end.min(to));
-            let Some(lane) = self.lane_of(number).filter(|_| begin < to) else { return };
-            while along < end {
-                let places = breaks(&lane).filter_map(|s| self.along_on(piece, s));
-                let next = places.filter(|next| *next > along).fold(end, f64::min);
-                let middle = 0.5 * (along + next);
-                let spans = self.spans_of(piece);
-                let at = spans.partition_point(|span| span.along <= middle).saturating_sub(1);
-                let s = spans.get(at).map(|span| span.s_at(middle - span.along));
-                let rule = s.and_then(|s| self.rule_on(number, s)).unwrap_or(NOTHING);
-                tell(number, [along, next], rule);
-                along = next;
+            let Some(limits) = self.limits_on(number).filter(|_| begin < to) else { return };
+            for own in limits.stretches(piece.forward) {
+                if along >= end {
+                    break;
+                }
+                let s = if piece.forward { own.s.high } else { own.s.low };
+                // Where the lane is left before the stretch ends, or not entered yet, no S is its end.
+                let next = match self.along_on(piece, s) {
+                    Some(next) => next.min(end),
+                    None if self.is_ahead(piece, s) => end,
+                    None => continue,
+                };
+                if next > along {
+                    tell(number, [along, next], own.rule);
+                    along = next;
+                }
+            }
+            if along < end {
+                // Beyond the section's end by rounding.
+                let last = self.spans_of(piece).last().map(|span| limits.at(span.s[1]));
+                tell(number, [along, end], last.unwrap_or(NOTHING));
             }
         }
     }
@@ -141,42 +149,41 @@ impl<'a> Path<'a, '_> {
         let piece = self.buffer.pieces.get(number);
         let (Some(piece), Some(lane)) = (piece, self.lane_of(number)) else { return Limit::NONE };
         let rule = self.rule_on(number, s).unwrap_or(NOTHING);
-        let next = breaks(&lane).filter_map(|s| self.along_on(piece, s));
+        let next = lane.speed_breaks().filter_map(|s| self.along_on(piece, s));
         let next = next.filter(|next| next + ROUNDING > along);
         Limit { rule, until: next.fold(self.ends_of(piece)[1], f64::min) }
     }
 
     /// The limit at s on a piece, by the way that the path has come.
     fn rule_on(&self, number: usize, s: f64) -> Option<SpeedRule> {
-        let lane = self.lane_of(number)?;
-        let rule = lane.speed_rule_at(s);
-        if !matches!(rule.origin, SpeedOrigin::Entry | SpeedOrigin::Depends) {
-            return Some(rule);
-        }
-        let signs = self.signs_at_entry(number, &lane);
-        if let Some(own) = lane.speed_with(signs, s) {
-            return Some(own);
-        }
-        // No sign holds that the path has passed: what remains is what comes with it into a junction.
-        if lane.road().junction_row().is_none() {
-            return Some(lane.default_speed(s));
-        }
-        let piece = self.buffer.pieces.get(number)?;
-        let Some(before) = self.buffer.pieces.get(piece.way.entry as usize) else {
-            return Some(rule);
-        };
-        Some(match self.speed_at_exit(piece.way.entry as usize, before) {
-            Some(own) if own.origin == SpeedOrigin::Depends => own,
-            Some(own) => SpeedRule { origin: SpeedOrigin::Entry, ..own },
-            None => lane.default_speed(s),
-        })
+        Some(self.limits_on(number)?.at(s))
     }
 
-    /// What is written for a piece where the path leaves it.
-    fn speed_at_exit(&self, number: usize, piece: &Piece) -> Option<SpeedRule> {
-        let lane = self.lane_of(number)?;
+    /// The limits of a piece's lane, by the way that the path has come.
+    fn limits_on(&self, number: usize) -> Option<Limits<'a, impl Fn() -> Carried + Copy>> {
+        let (path, lane) = (*self, self.lane_of(number)?);
+        let carried = move || path.carried(number, &lane);
+        Some(Limits { lane, signs: self.signs_at_entry(number, &lane), carried })
+    }
+
+    /// What the path brings onto a piece in a junction; where it begins in the junction, all that may come.
+    fn carried(&self, number: usize, lane: &Lane<'a>) -> Carried {
+        let piece = self.buffer.pieces.get(number);
+        let entry = piece.map_or(NONE, |piece| piece.way.entry) as usize;
+        let (Some(piece), Some(last)) = (self.buffer.pieces.get(entry), self.lane_of(entry)) else {
+            return lane.carried_by_all();
+        };
+        let stated = self.stated_at_exit(entry, piece);
+        match stated.is_none() && last.is_in_junction() {
+            true => last.carried_by_all(),
+            false => Carried::by(stated),
+        }
+    }
+
+    /// What is stated for a piece where the path leaves it.
+    fn stated_at_exit(&self, number: usize, piece: &Piece) -> Option<SpeedRule> {
         let end = self.spans_of(piece).last()?.s[1];
-        lane.speed_with(self.signs_at_entry(number, &lane), end)
+        self.limits_on(number)?.stated_at(end)
     }
 
     /// Where a piece has its speed limit from, if the way to it says; of those before it that is known.
@@ -189,11 +196,10 @@ impl<'a> Path<'a, '_> {
             let at_exit = from.speed_signs_after(from.speed_signs_at_entry(), None);
             way.zone = if depends(&at_exit) { piece.way.zone } else { before as u32 };
         }
-        let junction = lane.road().junction_row();
-        if junction.is_some() {
-            let inside = from.road().junction_row() == junction;
-            let goes_on = inside && self.speed_at_exit(before, piece).is_none();
-            way.entry = if goes_on { piece.way.entry } else { before as u32 };
+        if lane.is_in_junction() {
+            let goes_on = from.is_in_junction() && self.stated_at_exit(before, piece).is_none();
+            let known = goes_on && piece.way.entry != NONE;
+            way.entry = if known { piece.way.entry } else { before as u32 };
         }
         Some(way)
     }
@@ -222,6 +228,12 @@ impl<'a> Path<'a, '_> {
         [spans.first().map_or(0.0, |span| span.along), spans.last().map_or(0.0, |span| span.end())]
     }
 
+    /// Whether the piece is left before s.
+    fn is_ahead(&self, piece: &Piece, s: f64) -> bool {
+        let end = self.spans_of(piece).last().map(|span| span.s[1]);
+        end.is_some_and(|end| if piece.forward { s > end } else { s < end })
+    }
+
     /// S of a place on a piece; none where it is not driven over.
     pub(super) fn along_on(&self, piece: &Piece, s: f64) -> Option<f64> {
         let spans = self.spans_of(piece);
@@ -241,12 +253,5 @@ pub(super) fn note_ways(map: Map<'_>, buffer: &mut PathBuffer) {
 }
 
 fn depends(signs: &SpeedSigns<'_>) -> bool {
-    matches!(signs.zone, Zone::Depends)
-}
-
-/// Every s at which the limit on a lane may change.
-fn breaks(lane: &Lane<'_>) -> impl Iterator<Item = f64> {
-    let signs = lane.signals().filter(is_of_speed).map(|one| one.s_on(lane));
-    let records = lane.speeds().map(|record| record.s);
-    signs.chain(records).chain(lane.road().types().map(|record| record.s))
+    matches!(signs.zone, Zone::Depends(_))
 }

@@ -24,7 +24,7 @@ pub enum CostBound {
     },
     /// By time.
     PerSecond {
-        /// Every second at the speed limit costs at least this.
+        /// Every second, as [`ShortestTime`] counts them, costs at least this.
         second: f64,
         /// Every change of lane costs at least this.
         change: f64,
@@ -60,7 +60,7 @@ pub struct ShortestLength {
     pub lane_change: f64,
 }
 
-/// Seconds at the speed limits.
+/// Seconds as the graph counts them ([`Route::travel_time`](super::Route::travel_time)): at recorded limits, where there is none at an assumed speed.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

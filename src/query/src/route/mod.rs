@@ -37,7 +37,9 @@ pub use sequences::{LaneSequences, NextJunction};
 pub use steps::{Enter, LaneChangeAhead, RouteStep, next_lane_change};
 pub(crate) use ways::Ways;
 
+use crate::graph::LaneNode;
 use crate::ids::LaneId;
+use crate::lane::Lane;
 use crate::map::Map;
 use mapd_archive::VehicleClass;
 
@@ -61,14 +63,32 @@ pub struct Route {
     pub cost: f64,
     /// Length along the lanes' centre lines `[m]`.
     pub length: f64,
-    /// Time at the speed limits `[s]`.
+    /// What the graph counts as time `[s]`, which [`ShortestTime`] minimises: as [`Lane::time_between`](crate::Lane::time_between), under an overlay at the speeds that entries
+    /// state. The time at the limits that hold on the way is [`Path::travel_time`](crate::path::Path::travel_time)'s.
     pub travel_time: f64,
+    /// What of it is at speeds that are assumed, because no limit is recorded or there is none `[s]`.
+    pub assumed_time: f64,
     /// Number of lane changes.
     pub lane_changes: u32,
     /// Number of the start that it takes.
     pub start: usize,
     /// Number of the goal that it comes to.
     pub goal: usize,
+}
+
+impl Route {
+    /// Adds what is driven of a node of a lane, from s to s over a length.
+    pub(crate) fn drive(&mut self, node: &LaneNode<'_>, lane: &Lane<'_>, s: [f64; 2], length: f64) {
+        self.length += length;
+        let whole = node.length();
+        if whole > 0.0 {
+            let time = node.travel_time() * (length / whole);
+            self.travel_time += time;
+            if !node.is_speed_stated() {
+                self.assumed_time += lane.assumed_time(s[0], s[1], time);
+            }
+        }
+    }
 }
 
 impl<'a> Map<'a> {
@@ -173,6 +193,7 @@ pub(crate) fn find_via<'a>(
         sum.cost += route.cost;
         sum.length += route.length;
         sum.travel_time += route.travel_time;
+        sum.assumed_time += route.assumed_time;
         sum.lane_changes += route.lane_changes;
     }
     Ok(whole)

@@ -89,11 +89,7 @@ pub(super) fn write<'a>(
         let changed = matches!(step.enter, Enter::Left | Enter::Right);
         route.lane_changes += u32::from(changed);
         if let Some(lane) = node.lane() {
-            let length = lane.length_between(entry, exit);
-            route.length += length;
-            if node.length() > 0.0 {
-                route.travel_time += node.travel_time() * (length / node.length());
-            }
+            route.drive(&node, &lane, [entry, exit], lane.length_between(entry, exit));
         }
         let lane = LaneId::new(node.row.lane(), map.content());
         let goes_on = out.len() > first_step

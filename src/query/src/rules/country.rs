@@ -57,7 +57,7 @@ impl Arm {
         Self {
             road: lane.road().road_id(),
             forward,
-            written: Written { kind, limit: lane.speed_limit_at(s) },
+            written: Written { kind, limit: lane.recorded_speed_limit_at(s) },
             lanes: section.lanes().filter(is_open).count(),
         }
     }

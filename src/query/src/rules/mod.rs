@@ -7,6 +7,7 @@ mod lines;
 mod movement;
 mod overtaking;
 mod speed;
+mod speed_records;
 pub(crate) mod speed_signs;
 
 pub(crate) use country::by_rules;
@@ -15,5 +16,7 @@ pub use lines::{LaneLine, LineAhead, LineSource};
 pub(crate) use movement::ENTRY_REACH;
 pub use movement::{Basis, EntrySignal, RightOfWay, Turn, YieldsTo};
 pub use overtaking::OvertakingRule;
-pub use speed::{SpeedOrigin, SpeedRule};
-pub(crate) use speed_signs::{SpeedSigns, Zone, is_of_speed};
+pub(crate) use speed::{Carried, Limits, NOTHING};
+pub use speed::{SpeedOrigin, SpeedRule, SpeedStretch};
+pub(crate) use speed_records::SpeedRecords;
+pub(crate) use speed_signs::{SpeedSigns, Zone};

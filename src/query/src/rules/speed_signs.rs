@@ -12,8 +12,8 @@ pub enum Zone<'a> {
     None,
     /// The one that a sign begins.
     Of(Signal<'a>),
-    /// It depends on the way that one has come.
-    Depends,
+    /// It depends on the way that one has come. The sign of the lowest of those that may hold; none where nobody knows which.
+    Depends(Option<Signal<'a>>),
 }
 
 /// Signs of speed that hold at a place. A limit goes before a zone, and holds as far as lanes lead on alone and not beyond a junction;
@@ -63,11 +63,17 @@ impl<'a> Lane<'a> {
             rows.binary_search_by_key(&own, |row| row.lane()).ok().and_then(|at| rows.get(at));
         let Some(row) = row else { return SpeedSigns::NONE };
         let zone = match Signal::new(self.map, row.zone()) {
-            _ if row.zone_depends() != 0 => Zone::Depends,
+            lowest if row.zone_depends() != 0 => Zone::Depends(lowest),
             Some(sign) => Zone::Of(sign),
             None => Zone::None,
         };
         SpeedSigns { limit: Signal::new(self.map, row.limit()), zone }
+    }
+
+    /// Where a sign on the lane may change the speed limit, in ascending s.
+    pub(crate) fn speed_signs(&self) -> impl Iterator<Item = f64> + use<'a> {
+        let lane = *self;
+        self.signals().filter(is_of_speed).map(move |one| one.s_on(&lane))
     }
 
     /// As above, for archives of releases that did not have that table: what signs on the lanes before say, zones as limits.

@@ -172,11 +172,13 @@ impl<'a> View<'a> {
                 *own |= entry.vehicles();
             }
         }
-        let time = match speed < f64::INFINITY {
+        let is_speed_stated = speed < f64::INFINITY;
+        let time = match is_speed_stated {
             true => f64::from(row.length()) / crate::lane_length::travel_speed(speed),
             false => f64::from(row.time()),
         };
-        let piece = NodePiece { row, time, access: (base.access() | opened) & !closed };
+        let access = (base.access() | opened) & !closed;
+        let piece = NodePiece { row, time, is_speed_stated, access };
         Some(LaneNode { map: self.map, number: node, row: base, piece: Some(piece) })
     }
 

@@ -68,23 +68,13 @@ fn neighbours(map: Map<'_>, lane: &Lane<'_>, sheet: &mut Sheet) {
     sheet.add("right of it", lane.right().iter().map(|one| Words::from(one).with(may(right))));
 }
 
-/// What is said of a place on the lane, piece by piece: pieces end where something may change, and those that say the same are one.
-fn along(lane: &Lane<'_>, said: impl Fn(f64) -> String) -> Vec<Words> {
-    let (from, to) = (lane.section().s_start(), lane.section().s_end());
-    let nodes = lane.nodes().flat_map(|node| [node.s_range().low, node.s_range().high]);
-    let signs = lane.signals().map(|one| one.s_on(lane));
-    let written = lane.speeds().map(|one| one.s);
-    // A road's type brings a limit, and the country's own for such roads.
-    let types = lane.road().types().map(|one| one.s);
-    let inside = nodes.chain(signs).chain(written).chain(types).filter(|s| (from < *s) & (*s < to));
-    let mut cuts: Vec<f64> = inside.chain([from, to]).collect();
-    cuts.sort_by(f64::total_cmp);
+/// What is said of a lane piece by piece: those in a row that say the same are one.
+fn along(said: impl Iterator<Item = ([f64; 2], String)>) -> Vec<Words> {
     let mut pieces: Vec<([f64; 2], String)> = Vec::new();
-    for (low, high) in cuts.iter().zip(cuts.iter().skip(1)).filter(|(low, high)| low < high) {
-        let text = said(0.5 * (low + high));
+    for ([low, high], text) in said {
         match pieces.last_mut().filter(|(_, last)| *last == text) {
-            Some(([_, end], _)) => *end = *high,
-            None => pieces.push(([*low, *high], text)),
+            Some(([_, end], _)) => *end = high,
+            None => pieces.push(([low, high], text)),
         }
     }
     let is_one = pieces.len() == 1;
@@ -96,17 +86,27 @@ fn along(lane: &Lane<'_>, said: impl Fn(f64) -> String) -> Vec<Words> {
 }
 
 fn traffic(lane: &Lane<'_>, sheet: &mut Sheet) {
-    let limit = |s: f64| {
-        let rule = lane.speed_rule_at(s);
-        let origin = rule.origin.name();
-        rule.max.map_or_else(|| origin.to_owned(), |max| format!("{}, {origin}", speed(max)))
-    };
-    sheet.add("speed limit", along(lane, limit));
-    let classes = |s: f64| {
-        let classes: Vec<&str> = lane.access_at(s).map(VehicleClass::name).collect();
-        if classes.is_empty() { "nobody".to_owned() } else { classes.join(", ") }
-    };
-    sheet.add("open to", along(lane, classes));
+    let limits = lane.speed_rules().map(|own| {
+        let origin = own.rule.origin.name();
+        let text = match (own.rule.max, own.lowest) {
+            (Some(max), _) => format!("{}, {origin}", speed(max)),
+            (None, Some(lowest)) => format!("{origin}, at least {}", speed(lowest)),
+            (None, None) => origin.to_owned(),
+        };
+        ([own.s.low, own.s.high], text)
+    });
+    sheet.add("speed limit", along(limits));
+    let (from, to) = (lane.section().s_start(), lane.section().s_end());
+    let nodes = lane.nodes().flat_map(|node| [node.s_range().low, node.s_range().high]);
+    let mut cuts: Vec<f64> = nodes.filter(|s| from < *s && *s < to).chain([from, to]).collect();
+    cuts.sort_by(f64::total_cmp);
+    let pieces = cuts.iter().zip(cuts.iter().skip(1)).filter(|(low, high)| low < high);
+    let classes = pieces.map(|(low, high)| {
+        let open = lane.access_at(0.5 * (low + high)).map(VehicleClass::name);
+        let open = open.collect::<Vec<_>>().join(", ");
+        ([*low, *high], if open.is_empty() { "nobody".to_owned() } else { open })
+    });
+    sheet.add("open to", along(classes));
     let marks = lane.road_marks().map(|mark| {
         let (color, kind) = (mark.color().name(), mark.kind());
         let width = mark.width_or_default();

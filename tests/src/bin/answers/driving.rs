@@ -28,7 +28,8 @@ impl Asker<'_> {
         };
         a.u(u64::from(route.is_some()));
         if let Some(route) = route {
-            a.f(route.cost).f(route.length).f(route.travel_time).u(route.lane_changes);
+            a.f(route.cost).f(route.length).f(route.travel_time).f(route.assumed_time);
+            a.u(route.lane_changes);
             a.u(steps.len() as u64);
             for step in &steps {
                 a.id(step.lane.to_bits()).u(u64::from(step.forward)).u(step.enter as u64);

@@ -141,8 +141,12 @@ impl Asker<'_> {
         self.write("edges", q.u(id).f(s), &a);
 
         let mut a = Numbers::default();
-        a.f(lane.width_at(s)).option(lane.speed_limit_at(s)).option(rule.max);
+        a.f(lane.width_at(s)).option(lane.recorded_speed_limit_at(s)).option(rule.max);
         a.u(u64::from(lane.allows_at(s, VehicleClass::PassengerCar)));
+        a.u(lane.speed_rules().count() as u64);
+        for own in lane.speed_rules() {
+            a.f(own.s.low).f(own.s.high).option(own.rule.max).option(own.lowest);
+        }
         self.write("at", &q, &a);
 
         let (mut q, mut a) = (Numbers::default(), Numbers::default());

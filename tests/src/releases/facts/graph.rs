@@ -41,12 +41,16 @@ fn of_node(node: LaneNode<'_>, lines: &mut Lines) {
         .with("access", classes.map(|class| class.name()).collect::<Vec<_>>())
         .with("beside", beside.map(|node| node.map(name)))
         .with("from", node.predecessors().map(name).collect::<Vec<_>>());
+    // As recorded: which limit holds is an answer, which may become better.
+    let range = node.s_range();
+    let end = if node.is_forward() { range.high } else { range.low };
+    let limit = node.lane().and_then(|lane| lane.recorded_speed_limit_at(end));
     for edge in node.edges() {
         lines
             .about(format_args!("edge {}", edge.kind().name()))
             .with("to", edge.target().map(name))
             .with("loop", edge.closes_loop())
-            .with("limit", edge.speed_limit())
+            .with("limit", limit)
             .with("at", edge.source_position().map(at))
             .with("file", edge.source_file());
     }

@@ -72,7 +72,7 @@ fn at_station(map: Map<'_>, lane: &Lane<'_>, s: f64, lines: &mut Lines) {
         .with("height", [height.inner, height.outer])
         .with("material", lane.material_at(s).map(|material| material.s))
         .with("access", lane.access_at(s).map(|class| class.name()).collect::<Vec<_>>())
-        .with("limit", lane.speed_limit_at(s))
+        .with("limit", lane.recorded_speed_limit_at(s))
         .with("max", rule.max)
         .word("origin", rule.origin.name())
         .with("sign", rule.signal.and_then(signal))

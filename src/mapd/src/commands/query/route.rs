@@ -21,7 +21,7 @@ use mapd_query::vocabulary::{RoadRules, VehicleClass};
 pub enum RouteBy {
     /// Metres along lanes.
     Length,
-    /// Seconds at the speed limits.
+    /// Seconds, at recorded speed limits, else at assumed speeds.
     Time,
 }
 
