@@ -103,7 +103,7 @@ pub use status::{MapStatus, list_maps};
 #[cfg(feature = "iceoryx2")]
 pub use subscriber::{
     AttachTiming, Subscription, TransportService, count_subscriptions, foreign_node_counter,
-    iceoryx2_config, prepare_node_counter, silence_iceoryx2,
+    iceoryx2_config, node_counter, prepare_node_counter, silence_iceoryx2,
 };
 pub use unfinished::{DomainFiles, ForeignFile, MOST_FOREIGN, domain_files, unfinished_segments};
 pub use user::{check_own, check_owner, is_ours};

@@ -146,13 +146,19 @@ fn the_counter_of_nodes_is_the_daemons_own() {
     let counters: Vec<_> = names.iter().filter(|name| name.ends_with(".global_mgmt")).collect();
     assert_eq!(counters, [&format!("{prefix}{COUNTER}")]);
     let counter = Path::new("/dev/shm").join(counters[0]);
-    assert_eq!(fs::metadata(counter).expect("there").permissions().mode() & 0o777, 0o600);
+    let found = fs::metadata(&counter).expect("there");
+    assert_eq!(found.permissions().mode() & 0o777, 0o600);
     let is_queue = |name: &&String| name.ends_with(".connection");
     let queues: Vec<_> = names.iter().filter(is_queue).collect();
     let is_known = |name: &&String| name.starts_with(&format!("{prefix}{QUEUE}_"));
     assert!(!queues.is_empty() && queues.iter().all(is_known), "{names:?}");
     drop(client);
+    daemon.kill();
+    let daemon = place.serve(&[&town()]);
+    let kept = fs::metadata(&counter).expect("there").ino();
+    assert_eq!(kept, found.ino(), "at no moment could a stranger take the name");
     assert_eq!(daemon.stop(), 0);
+    assert!(!counter.exists());
 }
 
 /// A daemon changed the mode of whatever a stranger's link led to: a file or a folder of its user's became 0600.

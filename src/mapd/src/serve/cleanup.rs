@@ -7,7 +7,7 @@ use super::strangers::Strangers;
 use iceoryx2::prelude::Node;
 use mapd_transport::{
     AttachGuard, Domain, GENERATION_SUFFIX, RECORD_SUFFIX, SHARED_MEMORY_FOLDER, TransportService,
-    domain_files, is_ours,
+    domain_files, is_ours, node_counter,
 };
 use std::fs;
 use std::os::unix::fs::MetadataExt;
@@ -62,7 +62,8 @@ pub(crate) fn clean(
 /// process enters the domain.
 pub(crate) fn wipe(domain: &Domain, exclusive: &AttachGuard) {
     let kept = [GENERATION_SUFFIX, ONLY_HERE_SUFFIX, RECORD_SUFFIX];
-    wipe_but(domain, exclusive, |name| {
+    // Nor the counter of nodes: a stranger who watches could take its name before it is made anew.
+    wipe_but(domain, exclusive, Some(&node_counter(domain)), |name| {
         name.starts_with('.') || kept.iter().any(|suffix| name.ends_with(suffix))
     });
 }
@@ -70,17 +71,25 @@ pub(crate) fn wipe(domain: &Domain, exclusive: &AttachGuard) {
 /// As [`wipe`], by the last process: keeps only files of these names, and root folder and lock files only for them.
 pub(crate) fn wipe_all(domain: &Domain, kept: &[String], exclusive: &AttachGuard) {
     let is_lock = |name: &str| !kept.is_empty() && name.starts_with('.');
-    wipe_but(domain, exclusive, |name| is_lock(name) || kept.iter().any(|kept| kept == name));
+    wipe_but(domain, exclusive, None, |name| is_lock(name) || kept.iter().any(|kept| kept == name));
     // One that is not empty stays.
     let _ = fs::remove_dir(domain.root());
 }
 
-fn wipe_but(domain: &Domain, _exclusive: &AttachGuard, is_kept: impl Fn(&str) -> bool) {
+fn wipe_but(
+    domain: &Domain,
+    _exclusive: &AttachGuard,
+    kept: Option<&Path>,
+    is_kept: impl Fn(&str) -> bool,
+) {
     // What cannot be removed is swept, reused or tried again by the next daemon.
     for entry in entries(Path::new(SHARED_MEMORY_FOLDER)) {
         let is_named = |name: &str| name.starts_with(domain.prefix());
         // Of this very entry: root could remove another user's, too.
         let is_own = |file: fs::Metadata| file.is_file() && is_ours(file.uid());
+        if kept == Some(&*entry.path()) {
+            continue;
+        }
         if entry.file_name().to_str().is_some_and(is_named) && entry.metadata().is_ok_and(is_own) {
             let _ = fs::remove_file(entry.path());
         }

@@ -12,6 +12,6 @@ mod subscription;
 pub use attach::AttachTiming;
 pub use config::{TransportService, iceoryx2_config, silence_iceoryx2};
 pub use count::count_subscriptions;
-pub use node_counter::{foreign_node_counter, prepare_node_counter};
+pub use node_counter::{foreign_node_counter, node_counter, prepare_node_counter};
 pub(crate) use sample::PinnedSample;
 pub use subscription::Subscription;

@@ -31,7 +31,7 @@ const MAKING: Mode = Mode::WUSR;
 const ATTEMPTS: usize = 8;
 
 /// Where the counter is.
-fn path(domain: &Domain) -> PathBuf {
+pub fn node_counter(domain: &Domain) -> PathBuf {
     Path::new(SHARED_MEMORY_FOLDER).join(format!("{}{NAME}", domain.prefix()))
 }
 
@@ -39,7 +39,7 @@ fn path(domain: &Domain) -> PathBuf {
 ///
 /// Errors: [`AttachError::PermissionDenied`], [`AttachError::UnknownOwner`] if another user has the name; what the system says.
 pub fn prepare_node_counter(domain: &Domain) -> Result<(), AttachError> {
-    let path = path(domain);
+    let path = node_counter(domain);
     let us = rustix::process::geteuid().as_raw();
     let failed = |error: io::Error| AttachError::io(&path, error);
     for _ in 0..ATTEMPTS {
@@ -63,7 +63,7 @@ pub fn prepare_node_counter(domain: &Domain) -> Result<(), AttachError> {
 
 /// What another user has under the counter's name, so that nobody can subscribe; none as a rule.
 pub fn foreign_node_counter(domain: &Domain) -> Option<ForeignFile> {
-    let path = path(domain);
+    let path = node_counter(domain);
     match open_guarded(&path, OFlags::RDONLY, Mode::empty(), domain.owner()) {
         Err(Untrusted::OtherOwner(owner)) => Some(ForeignFile { path, owner }),
         _ => None,
@@ -74,7 +74,7 @@ pub fn foreign_node_counter(domain: &Domain) -> Option<ForeignFile> {
 ///
 /// Errors: another user has the name; [`AttachError::NoSubscribers`] if there is none.
 pub(super) fn check_node_counter(domain: &Domain, map: &str) -> Result<(), AttachError> {
-    let path = path(domain);
+    let path = node_counter(domain);
     let us = rustix::process::geteuid().as_raw();
     match open_guarded(&path, OFlags::RDONLY, Mode::empty(), us) {
         Ok((_, stat)) if is_private(&stat) => Ok(()),
@@ -118,7 +118,7 @@ mod tests {
 
     impl Drop for Counted {
         fn drop(&mut self) {
-            let _ = fs::remove_file(path(&self.0));
+            let _ = fs::remove_file(node_counter(&self.0));
         }
     }
 
@@ -126,7 +126,8 @@ mod tests {
     #[test]
     fn a_counter_that_others_could_write_is_made_anew() {
         let place = Counted(Domain::new(&format!("count{}_", std::process::id())).expect("good"));
-        let (file, linked) = (path(&place.0), path(&place.0).with_extension("linked"));
+        let (file, linked) =
+            (node_counter(&place.0), node_counter(&place.0).with_extension("linked"));
         let ino = || rustix::fs::lstat(&file).expect("there").st_ino;
         let prepare = || {
             prepare_node_counter(&place.0).expect("made");
