@@ -113,11 +113,12 @@ class Poses:
 
 
 def by_mapd(one, poses, kinds):
-    """Of each pose, the distance of each lane and direction, and the lane's centre there with the driving direction."""
+    """Of each pose, the distance of each lane and direction, and the lane's centre there with its own direction as it is driven."""
     answers, rows, keys = [{} for _ in poses.poses], io.StringIO(), []
-    spans = defaultdict(list)
+    spans, ahead = defaultdict(list), {}
     for (lane, begin), feature in one.lanes.items():
         spans[lane].append((begin, feature["s_to_m"]))
+        ahead[lane] = "+" if feature["is_forward"] else "-"
     writer = csv.writer(rows)
     writer.writerow(["road_id", "s", "lane_id"])
     asked = ["query", one.source, "match", "--types", ",".join(kinds)]
@@ -135,7 +136,9 @@ def by_mapd(one, poses, kinds):
     centers = csv.DictReader(io.StringIO(run(one.mapd, "query", one.source, "lane", given=rows.getvalue())))
     for (n, key, row, inside), center in zip(keys, centers, strict=True):
         place = (float(center["x"]), float(center["y"])) if inside and not center["error"] else None
-        answers[n][key] = float(row["mahalanobis"]), place, poses.poses[n][0][2] - float(row["heading_difference"])
+        own = float(center["hdg"]) if place else poses.poses[n][0][2] - float(row["heading_difference"])
+        against = place is not None and key[1] != ahead[key[0]]
+        answers[n][key] = float(row["mahalanobis"]), place, own + (math.pi if against else 0.0)
     return answers
 
 
@@ -300,17 +303,7 @@ class Comparison:
                 why = "its centre line bends or leaves the lanelet there" if strays else None
                 if abs(computed - distance) > SHARE * (1 + distance):
                     why = "not that of its centre line"
-                if why is None and self.is_aslant(one, key, local, deviations):
-                    why = "its centre line runs aslant to the road"
                 self.count(f"clear candidate of Lanelet2 alone: {why}", None if why else (one.source.name, n, key, distance, local))
-
-    def is_aslant(self, one, key, pose, deviations):
-        """Whether a pose is no clear candidate by the road's direction, which is mapd's for all lanes of the road."""
-        road, x, y = key[0].rsplit(":", 2)[0], *pose[:2]
-        ask = lambda kind, rows: next(csv.DictReader(io.StringIO(run(one.mapd, "query", one.source, kind, given=rows))))
-        s = ask("track", f"road_id,x,y\n{road},{x},{y}\n")["s"]
-        along = float(ask("inertial", f"road_id,s,t\n{road},{s},0\n")["hdg"]) + (0.0 if key[1] == "+" else math.pi)
-        return formula(pose, deviations, (x, y), along) > CLEAR
 
 
 def main():

@@ -19,9 +19,9 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
     (
         "one_road.xodr",
         [
-            "33be7d962fb4c3f4",
+            "438ae64916302913",
             "b4cde566b29d2246",
-            "80820b4f544cf40b",
+            "d296597475f40b70",
             "aa5b17d66c34625b",
             "af1349b9f5f9a1a6",
             "4d56ea031cd7a25d",
@@ -32,7 +32,7 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
         [
             "214a781b49bdcbf8",
             "ea45a951299e9bc2",
-            "478062eb84ea2643",
+            "edcb7b065e8583e9",
             "609bc47775016277",
             "af1349b9f5f9a1a6",
             "f3a308bebbc1575c",
@@ -41,9 +41,9 @@ const GOLDEN: &[(&str, [&str; KINDS.len()])] = &[
     (
         "surfaces.xodr",
         [
-            "59b7497fdda2b51b",
+            "2dc1f054347cda5c",
             "93bd04da74df0c3e",
-            "7886959d604ac67e",
+            "6bff64d18e36a482",
             "69ee5a1897b71992",
             "af1349b9f5f9a1a6",
             "a5f54efeafebef32",

@@ -1325,7 +1325,7 @@ typedef struct mapd_lane_position {
    */
   double z;
   /*
-   The way the lane's traffic goes at s [rad], in (−π, π].
+   The way the lane's traffic goes at s and this offset [rad], in (−π, π]: the heading of `mapd_lane_pose_at`.
    */
   double heading;
   /*
@@ -1561,11 +1561,11 @@ typedef struct mapd_pose {
    */
   struct mapd_vec3 position;
   /*
-   Direction of the reference line, ahead [rad], in (−π, π], counter-clockwise from x.
+   Direction ahead [rad], in (−π, π], counter-clockwise from x: of a road that of its reference line, of a lane its own.
    */
   double heading;
   /*
-   Curvature of the reference line [1/m], positive to the left.
+   Curvature of the line that runs this way [1/m], positive to the left.
    */
   double curvature;
   /*
@@ -1883,11 +1883,11 @@ typedef struct mapd_lane_match {
    */
   double probability;
   /*
-   Mahalanobis distance of the pose from the lane's centre line at the pose's s, headed in the lane's direction.
+   Mahalanobis distance of the pose from the lane's centre line at the pose's s, headed as that line is driven.
    */
   double mahalanobis;
   /*
-   The given heading less the driving direction [rad], in (−π, π].
+   The given heading less the driving direction at the pose's s and offset [rad], in (−π, π].
    */
   double heading_difference;
   /*
@@ -4972,8 +4972,8 @@ mapd_code mapd_lane_position_of(const struct mapd_snapshot *snapshot,
                                 struct mapd_error *error);
 
 /*
- Pose at s as the lane's traffic has it, `offset` [m] to its left of the lane's centre, on the plane h = 0. s outside the lane's section
- is moved to its nearer end and flagged.
+ Pose at s as the lane's traffic has it, `offset` [m] to its left of the lane's centre, on the plane h = 0. Heading and curvature are those of the
+ line that keeps this offset, in driving direction; slope and superelevation are the road's. s outside the lane's section is moved to its nearer end and flagged.
 
  Errors: `MAPD_CODE_NOT_FINITE`.
  */
@@ -4985,7 +4985,7 @@ mapd_code mapd_lane_pose_at(const struct mapd_snapshot *snapshot,
                             struct mapd_error *error);
 
 /*
- As `mapd_lane_pose_at`, along the reference line: ahead is the way s rises, and `offset` counts to the left of that.
+ As `mapd_lane_pose_at`, in the road's frame: heading and curvature are those of the reference line, ahead is the way s rises, and `offset` counts to the left of that.
  */
 mapd_code mapd_lane_pose_of_reference_line(const struct mapd_snapshot *snapshot,
                                            struct mapd_lane_id lane,
@@ -4995,7 +4995,7 @@ mapd_code mapd_lane_pose_of_reference_line(const struct mapd_snapshot *snapshot,
                                            struct mapd_error *error);
 
 /*
- The centre line's exact place at s, with its own direction. s outside the lane's section is moved to its nearer end and flagged.
+ The centre line's exact place at s, with its own direction: that of `mapd_lane_pose_at` at offset 0. s outside the lane's section is moved to its nearer end and flagged.
 
  Errors: `MAPD_CODE_NOT_FINITE`.
  */

@@ -162,8 +162,8 @@ pub unsafe extern "C" fn mapd_lane_position_of(
     }
 }
 
-/// Pose at s as the lane's traffic has it, `offset` \[m\] to its left of the lane's centre, on the plane h = 0. s outside the lane's section
-/// is moved to its nearer end and flagged.
+/// Pose at s as the lane's traffic has it, `offset` \[m\] to its left of the lane's centre, on the plane h = 0. Heading and curvature are those of the
+/// line that keeps this offset, in driving direction; slope and superelevation are the road's. s outside the lane's section is moved to its nearer end and flagged.
 ///
 /// Errors: `MAPD_CODE_NOT_FINITE`.
 #[unsafe(no_mangle)]
@@ -182,7 +182,7 @@ pub unsafe extern "C" fn mapd_lane_pose_at(
     }
 }
 
-/// As `mapd_lane_pose_at`, along the reference line: ahead is the way s rises, and `offset` counts to the left of that.
+/// As `mapd_lane_pose_at`, in the road's frame: heading and curvature are those of the reference line, ahead is the way s rises, and `offset` counts to the left of that.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_lane_pose_of_reference_line(
     snapshot: *const mapd_snapshot,
@@ -201,7 +201,7 @@ pub unsafe extern "C" fn mapd_lane_pose_of_reference_line(
     }
 }
 
-/// The centre line's exact place at s, with its own direction. s outside the lane's section is moved to its nearer end and flagged.
+/// The centre line's exact place at s, with its own direction: that of `mapd_lane_pose_at` at offset 0. s outside the lane's section is moved to its nearer end and flagged.
 ///
 /// Errors: `MAPD_CODE_NOT_FINITE`.
 #[unsafe(no_mangle)]

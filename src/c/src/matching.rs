@@ -81,9 +81,9 @@ pub struct mapd_lane_match {
     pub position: mapd_lane_position,
     /// Probability among all hypotheses.
     pub probability: f64,
-    /// Mahalanobis distance of the pose from the lane's centre line at the pose's s, headed in the lane's direction.
+    /// Mahalanobis distance of the pose from the lane's centre line at the pose's s, headed as that line is driven.
     pub mahalanobis: f64,
-    /// The given heading less the driving direction \[rad\], in (−π, π].
+    /// The given heading less the driving direction at the pose's s and offset \[rad\], in (−π, π].
     pub heading_difference: f64,
     /// 1: the vehicle travels towards +s.
     pub forward: u8,

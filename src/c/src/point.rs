@@ -75,9 +75,9 @@ pub const MAPD_CLAMPED_AFTER: u8 = 2;
 pub struct mapd_pose {
     /// Inertial position \[m\].
     pub position: mapd_vec3,
-    /// Direction of the reference line, ahead \[rad\], in (−π, π], counter-clockwise from x.
+    /// Direction ahead \[rad\], in (−π, π], counter-clockwise from x: of a road that of its reference line, of a lane its own.
     pub heading: f64,
-    /// Curvature of the reference line \[1/m\], positive to the left.
+    /// Curvature of the line that runs this way \[1/m\], positive to the left.
     pub curvature: f64,
     /// Metres upwards per metre of s ahead.
     pub slope: f64,
@@ -123,7 +123,7 @@ pub struct mapd_lane_position {
     pub distance: f64,
     /// Height of the plane h = 0 at (s, t) \[m\].
     pub z: f64,
-    /// The way the lane's traffic goes at s \[rad\], in (−π, π].
+    /// The way the lane's traffic goes at s and this offset \[rad\], in (−π, π]: the heading of `mapd_lane_pose_at`.
     pub heading: f64,
     /// Heading of the reference line at s \[rad\], in (−π, π].
     pub heading_of_reference_line: f64,

@@ -4,7 +4,7 @@ use crate::bends::{BendsFrom, CubicsFrom, Of};
 use crate::cubic_part::CubicPart;
 use crate::parametric::{Cubics, IDENTITY, Parametric};
 use crate::piecewise::Pieces;
-use crate::point::{CurvePoint, LocalPoint, Projection, Tangent};
+use crate::point::{CurvePoint, CurveRates, LocalPoint, Projection, Tangent};
 use crate::primitive::{CurveKind, Start};
 use crate::spiral::Spiral;
 use crate::transformed::Transformed;
@@ -226,6 +226,19 @@ impl<'a> Curve<'a> {
                 let frame = transformed.frame(u);
                 [frame.speed, frame.curvature]
             }
+        }
+    }
+
+    /// Speed and curvature as [`speed_and_curvature`](Self::speed_and_curvature) gives them, and how they change along u.
+    #[must_use]
+    pub fn rates(&self, u: f64) -> CurveRates {
+        let u = self.clamp(u);
+        match &self.shape {
+            Shape::Line => CurveRates::even(0.0),
+            Shape::Arc { curvature } => CurveRates::even(*curvature),
+            Shape::Spiral(spiral) => spiral.rates(u),
+            Shape::Parametric(parametric) => parametric.rates(u),
+            Shape::Transformed(transformed) => transformed.rates(u),
         }
     }
 

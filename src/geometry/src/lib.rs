@@ -55,7 +55,7 @@ pub use compile::{
 pub use cubic::Cubic;
 pub use cubic_part::CubicPart;
 pub use curve::{Curve, OnlyFoot};
-pub use point::{CurvePoint, Projection, Tangent};
+pub use point::{CurvePoint, CurveRates, Projection, Tangent};
 pub use primitive::{
     CurveKind, PARAMETER_PIECE, ParameterRange, Primitive, SPIRAL_PIECE, Start, TRANSFORMED_PIECE,
 };

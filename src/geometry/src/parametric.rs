@@ -1,7 +1,7 @@
 //! Plane cubics u(p), v(p) run through by arc length: poly3 (with u(p) = p) and paramPoly3.
 
 use crate::piecewise::{Pieces, value, value_and_derivative};
-use crate::point::{Jet, LocalPoint};
+use crate::point::{CurveRates, Jet, LocalPoint};
 use crate::primitive::PARAMETER_PIECE;
 use core::f64::consts::TAU;
 use glam::DVec2;
@@ -109,6 +109,15 @@ impl Parametric<'_> {
         let (p, slope) = value_and_derivative(piece, t);
         let [speed, curvature] = self.cubics.speed_and_curvature(p);
         [speed * slope.abs() * self.pieces.rate(), curvature]
+    }
+
+    pub(crate) fn rates(&self, u: f64) -> CurveRates {
+        let (piece, t) = self.pieces.find(u);
+        let (p, slope) = value_and_derivative(piece, t);
+        let slope = slope.abs() * self.pieces.rate();
+        let derivatives = [self.cubics.first(p), self.cubics.second(p), self.cubics.third()];
+        // It is run through by its length: what is left of the change of speed is what rounding leaves.
+        CurveRates { speed_rate: 0.0, ..CurveRates::of(derivatives, slope) }
     }
 
     #[inline]

@@ -76,6 +76,16 @@ pub(crate) fn derivatives(piece: &[f64; 2 * TERMS], t: f64) -> (DVec2, DVec2, DV
     (value, first, half * 2.0)
 }
 
+/// The third derivative of both polynomials of a piece with respect to τ.
+pub(crate) fn third_derivative(piece: &[f64; 2 * TERMS], t: f64) -> DVec2 {
+    let (x, y) = split_xy(piece);
+    let terms = x.iter().zip(y).enumerate().skip(3).rev();
+    terms.fold(DVec2::ZERO, |sum, (power, (x, y))| {
+        let power = power as f64;
+        sum * t + DVec2::new(*x, *y) * (power * (power - 1.0) * (power - 2.0))
+    })
+}
+
 /// x(τ) and y(τ) of a spiral piece.
 #[inline]
 pub(crate) fn split_xy(piece: &[f64; 2 * TERMS]) -> (&[f64; TERMS], &[f64; TERMS]) {

@@ -66,6 +66,41 @@ pub(crate) struct LocalPoint {
     pub(crate) speed: f64,
 }
 
+/// How fast a curve is run through and how it bends, with the change of both along u.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurveRates {
+    /// Metres of the curve per metre of u.
+    pub speed: f64,
+    /// Its change per metre of u `[1/m]`.
+    pub speed_rate: f64,
+    /// Signed curvature `[1/m]`, positive to the left.
+    pub curvature: f64,
+    /// Its change per metre of u `[1/m²]`.
+    pub curvature_rate: f64,
+}
+
+impl CurveRates {
+    /// Of a curve along which neither changes.
+    #[inline]
+    pub(crate) fn even(curvature: f64) -> Self {
+        Self { speed: 1.0, speed_rate: 0.0, curvature, curvature_rate: 0.0 }
+    }
+
+    /// By the first three derivatives with respect to a parameter that grows by `rate` per metre of u.
+    pub(crate) fn of([first, second, third]: [DVec2; 3], rate: f64) -> Self {
+        let length = first.length();
+        let cube = length * length * length;
+        let (across, along) = (first.perp_dot(second), first.dot(second));
+        let bend = first.perp_dot(third) - 3.0 * across * along / (length * length);
+        Self {
+            speed: length * rate,
+            speed_rate: along / length * rate * rate,
+            curvature: across / cube,
+            curvature_rate: bend / cube * rate,
+        }
+    }
+}
+
 /// Position and derivatives with respect to u in the geometry's own frame: what one Newton step needs.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jet {

@@ -1,7 +1,7 @@
 //! Clothoids: position from polynomial pieces, heading and curvature exact.
 
 use crate::piecewise::{Pieces, point, point_and_derivative, reciprocal};
-use crate::point::{Jet, LocalPoint};
+use crate::point::{CurveRates, Jet, LocalPoint};
 use crate::primitive::SPIRAL_PIECE;
 use glam::DVec2;
 
@@ -46,6 +46,11 @@ impl<'a> Spiral<'a> {
     /// What the curvature changes by per metre, whatever the sign `[1/m²]`.
     pub(crate) fn curvature_change(&self) -> f64 {
         (self.change * self.per_length).abs()
+    }
+
+    pub(crate) fn rates(&self, u: f64) -> CurveRates {
+        let curvature_rate = self.change * self.per_length;
+        CurveRates { curvature_rate, ..CurveRates::even(self.curvature(u)) }
     }
 
     #[inline]

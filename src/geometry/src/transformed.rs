@@ -1,7 +1,7 @@
 //! Curves that were moved into another plane: position from polynomial pieces, direction and curvature from their derivatives.
 
-use crate::piecewise::{Pieces, derivatives};
-use crate::point::{Jet, LocalPoint};
+use crate::piecewise::{Pieces, derivatives, third_derivative};
+use crate::point::{CurveRates, Jet, LocalPoint};
 use crate::primitive::{TERMS, TRANSFORMED_PIECE};
 use glam::DVec2;
 
@@ -61,6 +61,12 @@ impl Transformed<'_> {
         let (position, first, second) = derivatives(split(piece), t);
         let rate = self.pieces.rate();
         Jet { position, first: first * rate, second: second * (rate * rate) }
+    }
+
+    pub(crate) fn rates(&self, u: f64) -> CurveRates {
+        let (piece, t) = self.pieces.find(u);
+        let (_, first, second) = derivatives(split(piece), t);
+        CurveRates::of([first, second, third_derivative(split(piece), t)], self.pieces.rate())
     }
 
     #[inline]

@@ -126,6 +126,8 @@ impl Positions {
 
     /// Nearest lanes as they are; [`nearest`] has their memory.
     pub(crate) fn of(content: u32, found: NearestLanes, room: &mut Room) -> Self {
+        let mut turned = room.take(found.len());
+        turned.extend((0..found.len()).filter_map(|i| found.offset_of_reference_line(i)));
         let NearestLanes {
             lane,
             s,
@@ -137,11 +139,7 @@ impl Positions {
             heading_of_reference_line,
             clamped,
         } = found;
-        let (mut turned, mut ids) = (room.take(lane.len()), room.take(lane.len()));
-        let headings = heading.iter().zip(&heading_of_reference_line);
-        let offsets = offset.iter().zip(headings);
-        // Traffic goes along the reference line or against it.
-        turned.extend(offsets.map(|(own, (lane, line))| if lane == line { *own } else { -own }));
+        let mut ids = room.take(lane.len());
         let id_of = |lane: LaneId| id(content, lane.row());
         ids.extend(lane.iter().map(|lane| lane.map_or(NONE_ID, id_of)));
         room.give(lane);

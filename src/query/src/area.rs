@@ -7,9 +7,9 @@ use crate::beside::Beside;
 use crate::folds;
 use crate::lane::Lane;
 use crate::polyline::segment_ends;
-use crate::profile::{self, At};
+use crate::profile::{self, At, Slope};
 use crate::road::{GeometryPiece, geometry_at};
-use crate::types::{Clamped, LaneEdges, LanePosition, turned};
+use crate::types::{Clamped, LaneEdges, LanePosition};
 use glam::DVec2;
 use mapd_archive::{ArchivedGeometryRow, lane_flags};
 use mapd_geometry::{CurveKind, clamp, normalize_angle};
@@ -107,8 +107,8 @@ pub(crate) trait Cross {
     /// Cosine and sine of the superelevation.
     fn roll(&self, at: At) -> (f64, f64);
 
-    /// Both edges.
-    fn edges(&self, at: At) -> LaneEdges;
+    /// Both edges, and whether they keep their t along s.
+    fn edges(&self, at: At) -> (LaneEdges, bool);
 }
 
 impl Cross for Lane<'_> {
@@ -118,8 +118,8 @@ impl Cross for Lane<'_> {
     }
 
     #[inline]
-    fn edges(&self, at: At) -> LaneEdges {
-        Lane::edges(self, at)
+    fn edges(&self, at: At) -> (LaneEdges, bool) {
+        self.edges_and_steady(at)
     }
 }
 
@@ -131,6 +131,8 @@ pub(crate) struct LateralPlace {
     /// t of the point `[m]`.
     pub(crate) t: f64,
     edges: LaneEdges,
+    /// Whether the edges keep their t along s.
+    is_steady: bool,
 }
 
 impl LateralPlace {
@@ -138,7 +140,8 @@ impl LateralPlace {
     pub(crate) fn new(cross: &impl Cross, slab: &Slab<'_>, u: f64, lateral: f64) -> Self {
         let at = slab.at(clamp(slab.piece.s + u, slab.s_lo, slab.s_hi));
         let roll = cross.roll(at);
-        Self { at, roll, t: lateral / roll.0, edges: cross.edges(at) }
+        let (edges, is_steady) = cross.edges(at);
+        Self { at, roll, t: lateral / roll.0, edges, is_steady }
     }
 
     /// t of the lane's edges, the lower one first `[m]`.
@@ -200,6 +203,8 @@ pub(crate) struct SlabPosition<'a> {
     beside: f64,
     /// Distance from the lane's centre, positive to the left of the reference line `[m]`.
     pub(crate) offset: f64,
+    /// Whether the lane's edges keep their t along s.
+    is_steady: bool,
     /// Whether the foot is an end of the slab, and the point lies beyond it.
     is_beyond: bool,
     /// Distance from the lane's area in plan view `[m]`.
@@ -221,6 +226,7 @@ impl<'a> SlabPosition<'a> {
             t: across.t,
             beside: across.t - clamp(across.t, across.sides()[0], across.sides()[1]),
             offset: across.t - across.edges.center(),
+            is_steady: across.is_steady,
             is_beyond,
             distance,
         }
@@ -238,9 +244,27 @@ impl<'a> SlabPosition<'a> {
         lane.road.elevation(self.at) + (self.t - self.beside) * self.roll_sin
     }
 
+    /// Heading of the lane's traffic at this offset from its centre `[rad]`, where that of the reference line is known.
+    #[inline]
+    pub(crate) fn driven_heading(&self, lane: &Lane<'_>, line: f64) -> f64 {
+        // Beside a level road at one t it runs as the reference line does.
+        let is_parallel = self.is_steady && self.roll_sin == 0.0;
+        lane.heading_along(line, if is_parallel { 0.0 } else { self.turn(lane) })
+    }
+
+    /// By how much the line at this offset from the lane's centre turns off the reference line `[rad]`.
+    #[inline(never)]
+    fn turn(&self, lane: &Lane<'_>) -> f64 {
+        let Some(piece) = lane.road.piece(self.geometry) else { return 0.0 };
+        let derivative = lane.edge_slopes(self.at).center().derivative;
+        let t = Slope { value: self.t, derivative };
+        let beside = Beside::new(&lane.road, self.at, lane.road.roll(self.at), t);
+        beside.turn(piece.speed_and_curvature(self.at.s))
+    }
+
     /// Heading of the reference line `[rad]`.
     #[inline]
-    pub(crate) fn heading(&self, lane: &Lane<'_>) -> f64 {
+    pub(crate) fn heading_of_reference_line(&self, lane: &Lane<'_>) -> f64 {
         let heading =
             |piece: &GeometryPiece<'_>| normalize_angle(piece.curve.heading(self.at.s - piece.s));
         if CurveKind::from_code(self.geometry.kind()) == Some(CurveKind::Line) {
@@ -256,17 +280,14 @@ impl<'a> SlabPosition<'a> {
 
     #[inline]
     pub(crate) fn position(&self, lane: &Lane<'_>) -> LanePosition {
-        self.position_with(lane, self.heading(lane), lane.road.elevation(self.at))
+        let (line, elevation) =
+            (self.heading_of_reference_line(lane), lane.road.elevation(self.at));
+        self.position_with(lane, line, elevation)
     }
 
     /// As [`Self::position`], where the heading and height of the reference line are known.
     #[inline]
-    pub(crate) fn position_with(
-        &self,
-        lane: &Lane<'_>,
-        heading: f64,
-        elevation: f64,
-    ) -> LanePosition {
+    pub(crate) fn position_with(&self, lane: &Lane<'_>, line: f64, elevation: f64) -> LanePosition {
         let (s, start, end) = (self.at.s, lane.section.s_start(), lane.section.s_end());
         let clamped = match self.is_beyond {
             true if s <= start => Clamped::Before,
@@ -281,8 +302,8 @@ impl<'a> SlabPosition<'a> {
             offset_of_reference_line: self.offset,
             distance: self.distance,
             z: elevation + self.t * self.roll_sin,
-            heading: if forward { heading } else { turned(heading) },
-            heading_of_reference_line: heading,
+            heading: self.driven_heading(lane, line),
+            heading_of_reference_line: line,
             clamped,
         }
     }
@@ -325,8 +346,8 @@ pub(crate) fn place_at_foot<'a>(
     margin: f64,
 ) -> Option<Option<SlabPosition<'a>>> {
     let roll = profile::roll(profile::apart(lane.road.superelevations(), s, margin)?);
-    let edges = lane.edges_apart(s, margin)?;
-    let across = LateralPlace { at: At::new(s), roll, t: lateral / roll.0, edges };
+    let (edges, is_steady) = lane.edges_apart(s, margin)?;
+    let across = LateralPlace { at: At::new(s), roll, t: lateral / roll.0, edges, is_steady };
     if !across.is_beside() {
         return Some(Some(SlabPosition::new(geometry, &across, 0.0, false)));
     }

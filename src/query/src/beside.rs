@@ -1,7 +1,8 @@
 //! How a line runs that lies beside a reference line: the centre of a lane, or what is driven.
 
-use crate::profile::{At, Slope};
+use crate::profile::{At, Bend, Slope};
 use crate::road::Road;
+use mapd_geometry::CurveRates;
 
 /// Where such a line lies at a place of the road, and how the road is rolled there.
 #[derive(Clone, Copy)]
@@ -36,6 +37,36 @@ impl Beside {
     pub(crate) fn driven(&self, line: [f64; 2]) -> [f64; 2] {
         let [ahead, left] = self.run(line);
         [ahead.abs(), if ahead < 0.0 { -left } else { left }]
+    }
+
+    /// By how much traffic that runs as [`Self::driven`] turns off the reference line, to the left `[rad]`, in [−π/2, π/2].
+    #[inline]
+    pub(crate) fn turn(&self, line: [f64; 2]) -> f64 {
+        let [ahead, left] = self.driven(line);
+        mapd_geometry::atan2(left, ahead)
+    }
+
+    /// Curvature of the line in plan view, as traffic runs along it `[1/m]`, positive to the left; 0 where the line stands still. `t` is the second derivative
+    /// of t along s, `roll` the superelevation.
+    pub(crate) fn curvature(&self, line: &CurveRates, t: f64, roll: &Bend) -> f64 {
+        let Self { t: own, roll: (cos, sin), .. } = self;
+        let CurveRates { speed, speed_rate, curvature, curvature_rate } = *line;
+        let turned = roll.slope.derivative;
+        let lateral = own.value * cos;
+        let left = own.derivative * cos - own.value * sin * turned;
+        let left_rate = t * cos
+            - 2.0 * own.derivative * sin * turned
+            - own.value * (cos * turned * turned + sin * roll.second);
+        let stretch = 1.0 - curvature * lateral;
+        let ahead = speed * stretch;
+        let ahead_rate =
+            speed_rate * stretch - speed * (curvature_rate * lateral + curvature * left);
+        let square = ahead * ahead + left * left;
+        if square == 0.0 {
+            return 0.0;
+        }
+        let turning = speed * curvature + (ahead * left_rate - left * ahead_rate) / square;
+        turning / square.sqrt().copysign(ahead)
     }
 
     /// Metres of the line per metre of s in plan view.

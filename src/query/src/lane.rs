@@ -1,17 +1,19 @@
 //! Lanes: edges, poses, polylines, neighbours and links.
 
+use crate::beside::Beside;
 use crate::error::QueryError;
 use crate::ids::LaneId;
 use crate::key::{LaneKey, LaneLayer};
 use crate::map::Map;
 use crate::polyline::{Points, Polyline};
 use crate::position;
-use crate::profile::At;
+use crate::profile::{self, At, Slope};
 use crate::road::{JOINT, Road};
 use crate::section::LaneSection;
-use crate::types::{Clamped, LaneEdges, LanePosition, Point, Pose, is_place};
+use crate::types::{Clamped, LaneEdges, LanePosition, Point, Pose, is_place, turned};
 use glam::DVec3;
 use mapd_archive::{ArchivedLaneRow, ArchivedLaneSpeedRow, LaneType, Range, SpeedKind, lane_flags};
+use mapd_geometry::normalize_angle;
 use std::borrow::Cow;
 
 /// A lane of a section.
@@ -204,18 +206,49 @@ impl<'a> Lane<'a> {
         self.edges_at(s).width()
     }
 
-    /// Pose at s as the lane's traffic has it, `offset` `[m]` to its left of the lane's centre, on the plane h = 0. s outside the
-    /// lane's section is moved to its nearer end and flagged.
+    /// Pose at s as the lane's traffic has it, `offset` `[m]` to its left of the lane's centre, on the plane h = 0. Heading and curvature are those of the line
+    /// that keeps this offset from the centre, in driving direction: where the lane widens or shifts, it runs at an angle to the reference line. Slope and
+    /// superelevation are the road's. s outside the lane's section is moved to its nearer end and flagged.
+    ///
+    /// Where records meet that do not fit, the later one counts, at the section's end the earlier. Beyond the centre of curvature the line runs backwards; the
+    /// heading stays the driving direction.
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn pose_at(&self, s: f64, offset: f64) -> Result<Pose, QueryError> {
-        if self.is_forward() {
-            return self.pose_of_reference_line(s, offset);
-        }
-        self.pose_of_reference_line(s, -offset).map(Pose::turned)
+        let (at, clamped) = self.place(s)?;
+        let pose = self.pose_beside_center(at, offset)?;
+        Ok(Pose { clamped, ..pose })
     }
 
-    /// As [`Lane::pose_at`], along the reference line: ahead is the way s rises, and `offset` counts to the left of that.
+    /// The pose at a place of the lane, so far to the left of its centre as its traffic goes `[m]`.
+    pub(crate) fn pose_beside_center(&self, at: At, offset: f64) -> Result<Pose, QueryError> {
+        let forward = self.is_forward();
+        let center = self.center_bend(at);
+        let t = Slope {
+            value: center.slope.value + if forward { offset } else { -offset },
+            ..center.slope
+        };
+        let pose = self.road.pose(at, t.value, 0.0)?;
+        let piece = self.road.piece_at(at).ok_or(QueryError::Corrupt)?;
+        let beside = Beside::new(&self.road, at, self.road.roll(at), t);
+        let roll = profile::bend(self.road.superelevations(), at);
+        let curvature = beside.curvature(&piece.rates(at.s), center.second, &roll);
+        let along = Pose { curvature, ..pose };
+        let turn = beside.turn(piece.speed_and_curvature(at.s));
+        let heading = self.heading_along(pose.heading, turn);
+        Ok(Pose { heading, ..if forward { along } else { along.turned() } })
+    }
+
+    /// Heading of the lane's traffic on a line that turns by `turn` off the reference line, whose heading is known `[rad]`, in (−π, π].
+    #[inline]
+    pub(crate) fn heading_along(&self, line: f64, turn: f64) -> f64 {
+        // Most lines do not, and what is in range stays as it is.
+        let along = if turn == 0.0 { line } else { normalize_angle(line + turn) };
+        if self.is_forward() { along } else { turned(along) }
+    }
+
+    /// Pose at s in the road's frame: heading and curvature are those of the reference line, ahead is the way s rises, and `offset` `[m]` counts from the
+    /// lane's centre to the left of that. Otherwise as [`Lane::pose_at`].
     ///
     /// Errors: as [`Lane::pose_at`].
     pub fn pose_of_reference_line(&self, s: f64, offset: f64) -> Result<Pose, QueryError> {

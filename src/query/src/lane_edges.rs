@@ -1,7 +1,7 @@
 //! Both edges of a lane, from the widths of all lanes between it and lane 0.
 
 use crate::lane::Lane;
-use crate::profile::{self, At, Slope};
+use crate::profile::{self, At, Bend, Slope};
 use crate::types::LaneEdges;
 use mapd_archive::{ArchivedCubicRow, ArchivedLaneRow, lane_flags};
 
@@ -32,6 +32,19 @@ fn closed(width: Slope, at: At) -> Slope {
     let opens = if at.hold < at.s { width.derivative < 0.0 } else { width.derivative > 0.0 };
     let derivative = if opens && width.value > -NO_WIDTH { width.derivative } else { 0.0 };
     Slope { value: 0.0, derivative }
+}
+
+/// As [`closed`], with the second derivative.
+#[cold]
+fn closed_bend(width: Bend, at: At) -> Bend {
+    let slope = closed(width.slope, at);
+    Bend { slope, second: if slope.derivative == 0.0 { 0.0 } else { width.second } }
+}
+
+/// What lies beside an edge by a width, each with whether it is steady.
+#[inline]
+fn beside(edge: (f64, bool), sign: f64, width: (f64, bool)) -> (f64, bool) {
+    (edge.0 + sign * if width.0 > 0.0 { width.0 } else { 0.0 }, edge.1 && width.1)
 }
 
 impl<'a> Lane<'a> {
@@ -99,16 +112,40 @@ impl<'a> Lane<'a> {
         LaneEdges { inner, outer }
     }
 
-    /// Both edges at s, where no record that tells of them begins within `margin` `[m]` of it; none otherwise.
+    /// As [`Self::edges`], and whether no record that tells of them changes along s.
+    #[inline(never)]
+    pub(crate) fn edges_and_steady(&self, at: At) -> (LaneEdges, bool) {
+        let read = |records| profile::value_and_steady(records, at);
+        let [inner, outer] = self.add_up(read, beside);
+        (LaneEdges { inner: inner.0, outer: outer.0 }, inner.1 && outer.1)
+    }
+
+    /// Both edges at s, where no record that tells of them begins within `margin` `[m]` of it, and whether none of those changes along s; none otherwise.
     #[inline]
-    pub(crate) fn edges_apart(&self, s: f64, margin: f64) -> Option<LaneEdges> {
-        let read = |records| profile::apart(records, s, margin);
-        let beside = |edge: Option<f64>, sign, width: Option<f64>| {
-            let (edge, width) = (edge?, width?);
-            Some(edge + sign * if width > 0.0 { width } else { 0.0 })
+    pub(crate) fn edges_apart(&self, s: f64, margin: f64) -> Option<(LaneEdges, bool)> {
+        let read = |records| profile::apart_and_steady(records, s, margin);
+        let [inner, outer] =
+            self.add_up(read, |edge, sign, width| Some(beside(edge?, sign, width?)));
+        let (inner, outer) = (inner?, outer?);
+        Some((LaneEdges { inner: inner.0, outer: outer.0 }, inner.1 && outer.1))
+    }
+
+    /// The lane's centre at a place with both derivatives along s, the value and the first one as [`Self::edge_slopes`] has them.
+    pub(crate) fn center_bend(&self, at: At) -> Bend {
+        let read = |records| profile::bend(records, at);
+        let beside = |edge: Bend, sign, width: Bend| {
+            let own = if width.slope.value > 0.0 { width } else { closed_bend(width, at) };
+            Bend {
+                slope: Slope {
+                    value: edge.slope.value + sign * own.slope.value,
+                    derivative: edge.slope.derivative + sign * own.slope.derivative,
+                },
+                second: edge.second + sign * own.second,
+            }
         };
         let [inner, outer] = self.add_up(read, beside);
-        Some(LaneEdges { inner: inner?, outer: outer? })
+        let edges = EdgeSlopes { inner: inner.slope, outer: outer.slope };
+        Bend { slope: edges.center(), second: 0.5 * (inner.second + outer.second) }
     }
 
     /// Both edges at a place with their growth along s.

@@ -163,9 +163,9 @@ impl<'a> Candidate<'a> {
         options: &NearestOptions,
     ) -> Option<Self> {
         let z_difference = point.z.map_or(0.0, |z| (z - place.level(lane)).abs());
-        let heading_difference = options
-            .heading
-            .map_or(0.0, |heading| heading_difference(lane, place.heading(lane), heading));
+        let heading_difference = options.heading.map_or(0.0, |heading| {
+            heading_difference(lane, driving_direction(lane, &place), heading)
+        });
         let too_far = |limit: Option<f64>, known: bool, difference: f64| {
             known && limit.is_some_and(|limit| difference > limit)
         };
@@ -234,7 +234,7 @@ impl<'a> Candidate<'a> {
 
     #[cold]
     fn heading(&self, map: Map<'a>) -> f64 {
-        Lane::new(map, self.lane).map_or(0.0, |lane| self.place.heading(&lane))
+        Lane::new(map, self.lane).map_or(0.0, |lane| self.place.heading_of_reference_line(&lane))
     }
 
     /// By rank; and what two geometries that meet round differently.
@@ -384,7 +384,7 @@ impl<'a> Map<'a> {
     ) -> Option<Rank> {
         let LanePosition { s, t, distance, z, .. } = found.position;
         let offset = found.position.offset_of_reference_line;
-        let heading = found.position.heading_of_reference_line;
+        let heading = found.position.heading;
         let row = found.lane.row();
         // Mostly nothing of the lane itself counts.
         let lane = || Lane::new(*self, row);
@@ -428,17 +428,16 @@ fn is_closed(lane: &Lane<'_>, s: f64, vehicle: VehicleClass) -> bool {
     !open(true) && !open(false)
 }
 
-/// Angle between a heading of travel and the lane's driving direction, by the heading of the reference line `[rad]`, the smaller one for lanes used both ways.
-pub(crate) fn heading_difference(lane: &Lane<'_>, line: f64, heading: f64) -> f64 {
-    let along = normalize_angle(heading - line).abs();
-    let against = std::f64::consts::PI - along;
-    if lane.is_bidirectional() {
-        along.min(against)
-    } else if lane.is_forward() {
-        along
-    } else {
-        against
-    }
+/// The driving direction at a place of a lane `[rad]`.
+#[inline]
+pub(crate) fn driving_direction(lane: &Lane<'_>, place: &SlabPosition<'_>) -> f64 {
+    place.driven_heading(lane, place.heading_of_reference_line(lane))
+}
+
+/// Angle between a heading of travel and a lane's driving direction `[rad]`, the smaller one for lanes used both ways.
+pub(crate) fn heading_difference(lane: &Lane<'_>, driving: f64, heading: f64) -> f64 {
+    let along = normalize_angle(heading - driving).abs();
+    if lane.is_bidirectional() { along.min(std::f64::consts::PI - along) } else { along }
 }
 
 /// To single precision, never smaller.

@@ -7,7 +7,7 @@ use crate::area::{self, Slab, SlabPosition};
 use crate::index::LaneSegment;
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::nearest::{Candidate, NearestOptions, heading_difference};
+use crate::nearest::{Candidate, NearestOptions, driving_direction, heading_difference};
 use crate::types::Point;
 use glam::DVec2;
 
@@ -53,7 +53,7 @@ impl<'a> Asked<'_, 'a> {
         let place = SlabPosition::new(self.slab.geometry, &across, 0.0, false);
         let heading = self.options.heading;
         let heading = heading.map_or(0.0, |heading| {
-            heading_difference(self.lane, place.heading(self.lane), heading)
+            heading_difference(self.lane, driving_direction(self.lane, &place), heading)
         });
         let height = self.point.z.map_or(0.0, |z| z - place.level(self.lane));
         Place { s, off: [heading, height] }

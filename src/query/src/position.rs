@@ -104,7 +104,8 @@ pub(crate) fn position_in(lane: &Lane<'_>, local: DVec2) -> Option<LanePosition>
     if let HoldingStretch::In(found, margin) = held(lane, local)
         && let Some(elevation) = profile::apart(lane.road.elevations(), found.s(), margin)
     {
-        return Some(found.position_with(lane, found.heading(lane), elevation));
+        let line = found.heading_of_reference_line(lane);
+        return Some(found.position_with(lane, line, elevation));
     }
     nearest_stretch(lane, local).map(|found| found.position(lane))
 }

@@ -11,6 +11,13 @@ pub(crate) struct Slope {
     pub(crate) derivative: f64,
 }
 
+/// As [`Slope`], with the second derivative.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Bend {
+    pub(crate) slope: Slope,
+    pub(crate) second: f64,
+}
+
 /// A place on a road, and which records hold there: those that hold at `hold`. The two differ at the end of a stretch,
 /// where the next one's records begin: a lane ends with what holds within it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -167,32 +174,65 @@ pub(crate) fn value(records: &[ArchivedCubicRow], at: At) -> f64 {
 /// As [`value`], where no record begins within `margin` `[m]` of the place; none otherwise. It asks no stretch which records hold.
 #[inline]
 pub(crate) fn apart(records: &[ArchivedCubicRow], s: f64, margin: f64) -> Option<f64> {
+    apart_and_steady(records, s, margin).map(|(value, _)| value)
+}
+
+/// As [`apart`], and whether the record that holds changes nowhere.
+#[inline]
+pub(crate) fn apart_and_steady(
+    records: &[ArchivedCubicRow],
+    s: f64,
+    margin: f64,
+) -> Option<(f64, bool)> {
     match records {
-        [] => Some(0.0),
+        [] => Some((0.0, true)),
         [only] => {
             let ds = s - only.s();
             let value = if ds >= 0.0 { cubic(only).value(ds) } else { 0.0 };
-            (ds.abs() > margin).then_some(value)
+            (ds.abs() > margin).then_some((value, is_steady(only)))
         }
         _ => apart_among(records, s, margin),
     }
 }
 
-/// As [`apart`], of any number of records.
+/// As [`apart_and_steady`], of any number of records.
 #[inline(never)]
-fn apart_among(records: &[ArchivedCubicRow], s: f64, margin: f64) -> Option<f64> {
+fn apart_among(records: &[ArchivedCubicRow], s: f64, margin: f64) -> Option<(f64, bool)> {
     let count = begun(records, s, |r| r.s());
     if records.get(count).is_some_and(|next| next.s() - s <= margin) {
         return None;
     }
-    let Some(row) = count.checked_sub(1).and_then(|i| records.get(i)) else { return Some(0.0) };
+    let Some(row) = count.checked_sub(1).and_then(|i| records.get(i)) else {
+        return Some((0.0, true));
+    };
     let ds = s - row.s();
-    (ds > margin).then(|| cubic(row).value(ds))
+    (ds > margin).then(|| (cubic(row).value(ds), is_steady(row)))
 }
 
 #[inline]
 pub(crate) fn slope(records: &[ArchivedCubicRow], at: At) -> Slope {
     record(records, at).map_or(Slope::default(), |r| Record::of(Some(r)).slope(at.s))
+}
+
+#[inline]
+pub(crate) fn bend(records: &[ArchivedCubicRow], at: At) -> Bend {
+    record(records, at).map_or(Bend::default(), |r| Bend {
+        slope: Record::of(Some(r)).slope(at.s),
+        second: cubic(r).second_derivative(at.s - r.s()),
+    })
+}
+
+/// As [`value`], and whether the record that holds changes nowhere.
+#[inline]
+pub(crate) fn value_and_steady(records: &[ArchivedCubicRow], at: At) -> (f64, bool) {
+    record(records, at).map_or((0.0, true), |r| (cubic(r).value(at.s - r.s()), is_steady(r)))
+}
+
+/// Whether a record has one value all along.
+#[inline]
+pub(crate) fn is_steady(r: &ArchivedCubicRow) -> bool {
+    // As bits, which takes one comparison; that −0 counts as a change costs a closer look, no answer.
+    (r.b().to_bits() | r.c().to_bits() | r.d().to_bits()) == 0
 }
 
 /// As [`slope`], of a record that grows evenly; none of another.

@@ -21,6 +21,8 @@ pub(crate) struct Ready {
     side: f64,
     elevation: Record,
     superelevation: Record,
+    /// Whether the edges keep their t along s.
+    is_steady: bool,
 }
 
 impl Ready {
@@ -36,7 +38,9 @@ impl Ready {
             side: if lane.number() > 0 { 1.0 } else { -1.0 },
             elevation: profile::held(road.elevations(), at),
             superelevation: profile::held(road.superelevations(), at),
+            is_steady: false,
         };
+        ready.is_steady = lane.edges_and_steady(at).1;
         let mut fits = true;
         lane.walk_outwards(|row: &ArchivedLaneRow| {
             let Some(place) = ready.lanes.get_mut(ready.count) else {
@@ -65,7 +69,7 @@ impl Cross for Ready {
 
     /// As [`Lane::edge_slopes`] adds up.
     #[inline]
-    fn edges(&self, at: At) -> LaneEdges {
+    fn edges(&self, at: At) -> (LaneEdges, bool) {
         let mut outer = self.offset.value(at.s);
         let mut inner = outer;
         for (k, lane) in self.lanes.iter().take(self.count).enumerate() {
@@ -77,6 +81,6 @@ impl Cross for Ready {
                 outer + self.side * if value > 0.0 { value } else { 0.0 }
             };
         }
-        LaneEdges { inner, outer }
+        (LaneEdges { inner, outer }, self.is_steady)
     }
 }

@@ -14,7 +14,7 @@ use mapd_archive::{
     ArchivedCubicRow, ArchivedGeometryRow, ArchivedLaneLayerRow, ArchivedRoadRow,
     ArchivedRoadTypeRow, ContactPoint, LinkKind, NONE, Range, RoadType, SpeedKind, string,
 };
-use mapd_geometry::{Curve, CurveKind, CurvePoint, Start, clamp, normalize_angle};
+use mapd_geometry::{Curve, CurveKind, CurvePoint, CurveRates, Start, clamp, normalize_angle};
 
 /// Two geometries that meet may miss each other by the rounding of their written coordinates: a unit in the last place of
 /// 8,000 km `[m]`. An s beyond the end by no more is not said to be moved. Of two feet whose distances differ by less, the
@@ -71,6 +71,11 @@ impl GeometryPiece<'_> {
     #[inline]
     pub(crate) fn speed_and_curvature(&self, s: f64) -> [f64; 2] {
         self.curve.speed_and_curvature(s - self.s)
+    }
+
+    /// As [`Self::speed_and_curvature`], with the change of both per metre of s.
+    pub(crate) fn rates(&self, s: f64) -> CurveRates {
+        self.curve.rates(s - self.s)
     }
 }
 

@@ -71,9 +71,9 @@ impl Clamped {
 pub struct Pose {
     /// Inertial position `[m]`.
     pub position: DVec3,
-    /// Direction of the reference line, ahead `[rad]`, in (−π, π], counter-clockwise from x.
+    /// Direction ahead `[rad]`, in (−π, π], counter-clockwise from x: of a road that of its reference line, of a lane its own.
     pub heading: f64,
-    /// Curvature of the reference line `[1/m]`, positive to the left.
+    /// Curvature of the line that runs this way `[1/m]`, positive to the left.
     pub curvature: f64,
     /// Slope of the reference line: metres upwards per metre of s ahead.
     pub slope: f64,
@@ -214,7 +214,7 @@ pub struct LanePosition {
     pub distance: f64,
     /// Height of the plane h = 0 at (s, t) `[m]`.
     pub z: f64,
-    /// The way the lane's traffic goes at s, along the reference line `[rad]`, in (−π, π].
+    /// The way the lane's traffic goes at s and this offset `[rad]`, in (−π, π]: the heading of [`crate::Lane::pose_at`].
     pub heading: f64,
     /// Heading of the reference line at s `[rad]`, in (−π, π].
     pub heading_of_reference_line: f64,

@@ -4,7 +4,6 @@ use crate::error::QueryError;
 use crate::lane::Lane;
 use crate::types::{Clamped, Pose};
 use glam::DVec3;
-use mapd_geometry::normalize_angle;
 
 /// Places of one answer at most: a step that is too small for its length must not fill the memory.
 pub(crate) const MOST_STATIONS: f64 = 1e6;
@@ -27,23 +26,14 @@ pub struct Waypoint {
 }
 
 impl<'a> Lane<'a> {
-    /// The centre line's exact place at s, with its own direction: that of the lane where it widens or shifts, not that
-    /// of the reference line. s outside the lane's section is moved to its nearer end and flagged.
+    /// The centre line's exact place at s, with its own direction and the lane's width: the place and heading of [`Lane::pose_at`] at offset 0. s outside the
+    /// lane's section is moved to its nearer end and flagged.
     ///
     /// Errors: coordinates that are not finite; a damaged archive.
     pub fn waypoint_at(&self, s: f64) -> Result<Waypoint, QueryError> {
         let (at, clamped) = self.place(s)?;
-        let edges = self.edge_slopes(at);
-        let center = self.middle_between(at, &edges);
-        let Pose { position, heading, curvature, .. } =
-            self.road().pose(at, center.t.value, 0.0)?;
-        let piece = self.road().piece_at(at).ok_or(QueryError::Corrupt)?;
-        let [speed, _] = piece.speed_and_curvature(at.s);
-        let [ahead, left] = center.driven([speed, curvature]);
-        let turn = mapd_geometry::atan2(left, ahead);
-        let back = if self.is_forward() { 0.0 } else { std::f64::consts::PI };
-        let width = (edges.outer.value - edges.inner.value).abs();
-        let heading = normalize_angle(heading + turn + back);
+        let Pose { position, heading, .. } = self.pose_beside_center(at, 0.0)?;
+        let width = self.edges(at).width();
         let (start, end) = (self.section().s_start(), self.section().s_end());
         let s = mapd_geometry::clamp(s, start, end);
         Ok(Waypoint { s, position, heading, width, clamped })

@@ -48,7 +48,7 @@ fn lanes_have_edges_and_centres() {
     check(
         &["lane"],
         "road_id,s,lane_id\n1,20,-1\n1,20,2\n1,20,5\n",
-        "road_id,s,lane_id,width,t_inner,t_outer,x,y,z,hdg,error\n1,20,-1,3.5,0.0,-3.5,20.0,-1.75,10.0,0.0,\n1,20,2,1.5,3.5,5.0,20.0,4.25,10.0,0.0,\n1,20,5,,,,,,,,\"road \"\"1\"\" has no lane 5 at s = 20.0\"\n",
+        "road_id,s,lane_id,width,t_inner,t_outer,x,y,z,hdg,error\n1,20,-1,3.5,0.0,-3.5,20.0,-1.75,10.0,0.0,\n1,20,2,1.5,3.5,5.0,20.0,4.25,10.0,3.141592653589793,\n1,20,5,,,,,,,,\"road \"\"1\"\" has no lane 5 at s = 20.0\"\n",
     );
 }
 

@@ -38,6 +38,8 @@ mod judged;
 mod landmarks;
 // The lane graph against a slow, literal reader of the links.
 mod lane_graph;
+// Headings and curvatures of lanes, by differences of positions.
+mod lane_headings;
 // Lanes of the temporary layer.
 mod lane_layers;
 mod lengths;

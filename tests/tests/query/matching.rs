@@ -63,10 +63,11 @@ fn holders(map: Map<'_>, point: DVec2, out: &mut Vec<Nearest>) {
     map.lanes_near(point, &options, out).expect("an answer");
 }
 
-/// Driving directions of a lane where it holds a point: towards +s or not, and the heading.
+/// Directions of the reference line as a lane is driven where it holds a point: towards +s or not, and the heading.
 fn directions(map: Map<'_>, found: &Nearest) -> Vec<(bool, f64)> {
     let lane = map.lane(found.lane).expect("a lane");
-    let heading = found.position.heading;
+    let line = found.position.heading_of_reference_line;
+    let heading = if lane.is_forward() { line } else { line + PI };
     let mut all = vec![(lane.is_forward(), heading)];
     if lane.is_bidirectional() {
         all.push((!lane.is_forward(), heading + PI));

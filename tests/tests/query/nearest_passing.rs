@@ -24,9 +24,11 @@ const ROUNDING: f64 = 1e-6;
 /// A lane across.
 struct Across<'a> {
     lane: Lane<'a>,
+    s: f64,
     ends: [DVec3; 2],
-    /// Heading of the reference line `[rad]`.
-    heading: f64,
+    /// Heading of the reference line `[rad]`, and the cosine of the superelevation.
+    line: f64,
+    roll: f64,
 }
 
 impl<'a> Across<'a> {
@@ -34,7 +36,16 @@ impl<'a> Across<'a> {
         let edges = lane.edges_at(s);
         let pose = |t: f64| lane.road().to_inertial(Track { s, t, h: 0.0 }).expect("a pose");
         let ends = [pose(edges.inner), pose(edges.outer)];
-        Self { lane, heading: ends[0].heading, ends: ends.map(|pose| pose.position) }
+        let (line, roll) = (ends[0].heading, ends[0].superelevation.cos());
+        Self { lane, s, line, roll, ends: ends.map(|pose| pose.position) }
+    }
+
+    /// The lane's heading where a point lies beside its centre `[rad]`.
+    fn heading(&self, point: DVec2) -> f64 {
+        let middle = 0.5 * (self.ends[0] + self.ends[1]).truncate();
+        let left = (point - middle).dot(DVec2::from_angle(self.line).perp()) / self.roll;
+        let offset = if self.lane.is_forward() { left } else { -left };
+        self.lane.pose_at(self.s, offset).expect("a pose").heading
     }
 
     /// The place nearest to a point in plan view.
@@ -49,13 +60,10 @@ impl<'a> Across<'a> {
     fn excess(&self, point: Point, options: &NearestOptions) -> f64 {
         let mut excess = f64::NEG_INFINITY;
         if let (Some(heading), Some(tolerance)) = (options.heading, options.heading_tolerance) {
-            let along = normalize_angle(heading - self.heading).abs();
+            let along = normalize_angle(heading - self.heading(point.xy)).abs();
             let against = std::f64::consts::PI - along;
-            let difference = match (self.lane.is_bidirectional(), self.lane.is_forward()) {
-                (true, _) => along.min(against),
-                (_, true) => along,
-                (_, false) => against,
-            };
+            let is_both = self.lane.is_bidirectional();
+            let difference = if is_both { along.min(against) } else { along };
             excess = excess.max(difference - tolerance);
         }
         if let (Some(z), Some(tolerance)) = (point.z, options.z_tolerance) {
@@ -120,7 +128,7 @@ fn the_nearest_place_that_passes_is_found() {
             let level = NearestOptions { radius: RADIUS, ..NearestOptions::default() };
             let free = check(map, &all, Point { xy, z: None }, &level, "all").expect("a lane");
             let headed = NearestOptions {
-                heading: Some(near.heading + random.between(-0.5, 0.5)),
+                heading: Some(near.line + random.between(-0.5, 0.5)),
                 heading_tolerance: Some(random.between(0.02, 0.6)),
                 ..level
             };

@@ -103,7 +103,7 @@ impl RightOfWay {
 
 fn movement(lane: &Lane<'_>) -> Movement {
     let start = lane.movement_start();
-    let heading = start.driving_heading(false);
+    let heading = start.road_heading(false);
     let entry = start.entries().next().map(|lane| (lane.road().road_id(), lane.is_forward()));
     let mut lights: Vec<LightGroup> = Vec::new();
     let mut sign = EntrySign::None;

@@ -13,7 +13,7 @@ fn cubic(u: [f64; 4], v: [f64; 4], length: f64) -> (Primitive, f64) {
 }
 
 /// Curves with the share of their finest parts of which something is told, in hundredths.
-fn curves() -> Vec<((Primitive, f64), usize)> {
+pub(crate) fn curves() -> Vec<((Primitive, f64), usize)> {
     vec![
         ((Primitive::Line, 30.0), 100),
         ((Primitive::Arc { curvature: -0.2 }, 20.0), 100),

@@ -9,5 +9,6 @@ mod bends;
 mod extended_precision;
 mod hostile;
 mod projection;
+mod rates;
 mod surface;
 mod transform;

@@ -366,7 +366,7 @@ class Map:
         *,
         out: Poses | None = None,
     ) -> Poses:
-        """Poses on lanes as their traffic has them, at s [m], `offset` [m] to the left of the lane's centre."""
+        """Poses on lanes as their traffic has them, at s [m], `offset` [m] to the left of the lane's centre. Heading and curvature are those of the line that keeps this offset."""
     def speed_rule_at(
         self, lanes: NDArray[np.uint64], s: float | NDArray[np.float64], *, out: SpeedRules | None = None
     ) -> SpeedRules:
@@ -831,7 +831,7 @@ class Lane:
     def objects(self) -> list[Object]:
         """Objects that are on the lane or belong to it."""
     def pose_at(self, s: float, offset: float = 0.0) -> Pose:
-        """Pose at s [m] as its traffic has it, `offset` [m] to the left of its centre."""
+        """Pose at s [m] as its traffic has it, `offset` [m] to the left of its centre. Heading and curvature are those of the line that keeps this offset."""
     def position_of(self, point: _Point) -> LanePosition:
         """A point in its coordinates."""
     def center_line(self) -> NDArray[np.float64]:
@@ -845,7 +845,7 @@ class Lane:
     def waypoint_at(self, s: float) -> Waypoint:
         """The centre line's exact place at s [m], with its own direction; s outside the lane's section is moved to its nearer end and flagged."""
     def pose_of_reference_line(self, s: float, offset: float = 0.0) -> Pose:
-        """As pose_at, as the reference line has it: ahead is towards +s, and `offset` [m] is to the left of that."""
+        """As pose_at, in the road's frame: heading and curvature of the reference line, ahead towards +s, `offset` [m] to the left of that."""
     def recorded_speed_limit_at(self, s: float) -> float | None:
         """The limit [m/s] that lane or road record at s [m]; infinite where there is none, None where nothing is recorded. What holds may be another: speed_rule_at."""
     def time_between(self, s_from: float, s_to: float) -> float:

@@ -32,7 +32,7 @@ class Nearest(NamedTuple):
     z: float
     """Height of the plane h = 0 at (s, t) [m]."""
     heading: float
-    """The way the lane's traffic goes at s [rad], in (-pi, pi]."""
+    """The way the lane's traffic goes at s and this offset [rad], in (-pi, pi]: the heading of `pose_at`."""
     clamped: int = 0
     """-1 or 1 where the point lies before or after the lane's section in the direction of s, which has no foot for it; else 0."""
     offset_of_reference_line: float = math.nan
@@ -63,9 +63,9 @@ class Pose(NamedTuple):
     y: float
     z: float
     heading: float
-    """[rad], counter-clockwise from x, in (-pi, pi]."""
+    """[rad], counter-clockwise from x, in (-pi, pi]: of a road that of its reference line, of a lane its own."""
     curvature: float
-    """Of the reference line [1/m], positive to the left."""
+    """Of the line that runs this way [1/m], positive to the left."""
     slope: float
     """Metres upwards per metre of s ahead."""
     superelevation: float
@@ -210,7 +210,7 @@ class LaneMatch(NamedTuple):
     mahalanobis: float
     """Distance of the pose from the lane's centre line and direction, by the covariance of the model."""
     heading_difference: float
-    """The given heading less the driving direction [rad], in (-pi, pi]."""
+    """The given heading less the driving direction at the pose's s and offset [rad], in (-pi, pi]."""
     s: float
     t: float
     offset: float

@@ -49,7 +49,7 @@ impl Lane {
         result(py, "Waypoint", &fields)
     }
 
-    /// As pose_at, as the reference line has it: ahead is towards +s, and `offset` [m] is to the left of that.
+    /// As pose_at, in the road's frame: heading and curvature of the reference line, ahead towards +s, `offset` [m] to the left of that.
     #[pyo3(signature = (s, offset = 0.0))]
     fn pose_of_reference_line<'py>(
         &self,

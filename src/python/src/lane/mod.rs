@@ -187,7 +187,7 @@ impl Lane {
         Ok(self.lane()?.allows_at(s, vehicle_of(vehicle)?))
     }
 
-    /// Pose at s [m] as its traffic has it, `offset` [m] to the left of its centre.
+    /// Pose at s [m] as its traffic has it, `offset` [m] to the left of its centre. Heading and curvature are those of the line that keeps this offset.
     #[pyo3(signature = (s, offset = 0.0))]
     fn pose_at<'py>(&self, py: Python<'py>, s: f64, offset: f64) -> PyResult<Bound<'py, PyAny>> {
         pose(py, &self.lane()?.pose_at(s, offset).map_err(query)?)

@@ -203,7 +203,7 @@ impl Map {
         room.columns(py, "NearestLanes", found.columns(), out)
     }
 
-    /// Poses on lanes as their traffic has them, at s [m], `offset` [m] to the left of the lane's centre.
+    /// Poses on lanes as their traffic has them, at s [m], `offset` [m] to the left of the lane's centre. Heading and curvature are those of the line that keeps this offset.
     #[pyo3(signature = (lanes, s, offset = None, *, out = None))]
     fn pose_at<'py>(
         &self,

@@ -8,6 +8,8 @@ use crate::map::Map;
 use crate::nearest::{Best, Nearest, NearestOptions};
 use crate::types::{Clamped, LanePosition, Point};
 use glam::DVec2;
+use mapd_geometry::normalize_angle;
+use std::f64::consts::FRAC_PI_2;
 
 /// Nearest lanes, a column for each part of [`Nearest`]; without a lane numbers are NaN, and `distance` is infinite.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,7 +32,7 @@ pub struct NearestLanes {
     /// Height of the plane h = 0 at (s, t) `[m]`.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub z: Vec<f64>,
-    /// The way the lane's traffic goes at s `[rad]`.
+    /// The way the lane's traffic goes at s and this offset `[rad]`.
     #[cfg_attr(feature = "serde", serde(deserialize_with = "crate::numbers::list"))]
     pub heading: Vec<f64>,
     /// Heading of the reference line at s `[rad]`.
@@ -54,21 +56,26 @@ impl NearestLanes {
     /// The answer for a point, by its number: what [`Map::nearest_lane`] gives.
     pub fn get(&self, i: usize) -> Option<Nearest> {
         let lane = (*self.lane.get(i)?)?;
-        let (heading, line) = (*self.heading.get(i)?, *self.heading_of_reference_line.get(i)?);
-        let offset = *self.offset.get(i)?;
         let position = LanePosition {
             s: *self.s.get(i)?,
             t: *self.t.get(i)?,
-            offset,
-            // Traffic goes with the line or against it.
-            offset_of_reference_line: if heading == line { offset } else { -offset },
+            offset: *self.offset.get(i)?,
+            offset_of_reference_line: self.offset_of_reference_line(i)?,
             distance: *self.distance.get(i)?,
             z: *self.z.get(i)?,
-            heading,
-            heading_of_reference_line: line,
+            heading: *self.heading.get(i)?,
+            heading_of_reference_line: *self.heading_of_reference_line.get(i)?,
             clamped: *self.clamped.get(i)?,
         };
         Some(Nearest { lane, position })
+    }
+
+    /// As [`LanePosition::offset_of_reference_line`], of a point by its number; NaN without a lane.
+    pub fn offset_of_reference_line(&self, i: usize) -> Option<f64> {
+        let turn = *self.heading.get(i)? - *self.heading_of_reference_line.get(i)?;
+        let offset = *self.offset.get(i)?;
+        // Traffic goes with the line or against it, at an angle of less than a right one.
+        Some(if normalize_angle(turn).abs() <= FRAC_PI_2 { offset } else { -offset })
     }
 
     fn reset(&mut self, count: usize) {

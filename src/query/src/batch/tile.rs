@@ -183,8 +183,8 @@ impl<'a> Stretch<'a> {
     #[inline(always)]
     fn nearest(&self, found: &Candidate<'a>) -> Nearest {
         let (s, piece) = (found.place.s(), &self.slab.piece);
-        let heading = normalize_angle(piece.curve.heading(s - piece.s));
-        let position = found.place.position_with(&self.lane, heading, self.ready.elevation(s));
+        let line = normalize_angle(piece.curve.heading(s - piece.s));
+        let position = found.place.position_with(&self.lane, line, self.ready.elevation(s));
         Nearest { lane: self.lane.lane_id(), position }
     }
 }

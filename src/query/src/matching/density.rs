@@ -22,7 +22,7 @@ pub(super) struct CrossLine {
     pub(super) foot: DVec2,
     /// Unit vector to the left of the reference line.
     pub(super) normal: DVec2,
-    /// Direction of travel `[rad]`.
+    /// Direction of the reference line, as the lane is driven `[rad]`.
     pub(super) direction: f64,
     /// Of the reference line `[1/m]`: at l, a metre of s is 1 − κ·l long.
     pub(super) curvature: f64,

@@ -109,10 +109,10 @@ pub struct LaneMatch {
     pub forward: bool,
     /// Probability among all hypotheses.
     pub probability: f64,
-    /// Mahalanobis distance of the pose from the lane's centre line at the pose's s, headed in the lane's direction, by the
+    /// Mahalanobis distance of the pose from the lane's centre line at the pose's s, headed as that line is driven, by the
     /// covariance of the model.
     pub mahalanobis: f64,
-    /// The given heading minus the driving direction `[rad]`, in (−π, π].
+    /// The given heading minus the driving direction at the pose's s and offset `[rad]`, in (−π, π].
     pub heading_difference: f64,
     /// The pose's place with respect to the lane: s, t, both offsets, distance.
     pub position: LanePosition,
@@ -221,12 +221,15 @@ impl Map<'_> {
             found.probability >= LEAST_PROBABILITY
         });
         for found in out.iter_mut() {
-            let LanePosition { s, heading_of_reference_line: along, .. } = found.position;
-            let direction = if found.forward { along } else { turned(along) };
-            found.heading_difference = normalize_angle(pose.heading - direction);
-            let center = self.lane(found.lane).and_then(|lane| lane.pose_of_reference_line(s, 0.0));
+            let Ok(lane) = self.lane(found.lane) else { continue };
+            let as_driven =
+                |own: f64| if found.forward == lane.is_forward() { own } else { turned(own) };
+            let LanePosition { s, heading, .. } = found.position;
+            found.heading_difference = normalize_angle(pose.heading - as_driven(heading));
+            let center = lane.pose_at(s, 0.0);
             found.mahalanobis = center.map_or(f64::NAN, |center| {
-                density.distance(center.position.truncate() - pose.position.xy, direction)
+                let away = center.position.truncate() - pose.position.xy;
+                density.distance(away, as_driven(center.heading))
             });
         }
         none / sum

@@ -69,7 +69,7 @@ impl RouteEnd {
         let Some(found) = map.nearest_lane(point, &options)? else { return Ok(None) };
         let lane = map.lane(found.lane)?;
         let s = found.position.s;
-        let ahead = normalize_angle(heading - lane.pose_at(s, 0.0)?.heading).abs() <= FRAC_PI_2;
+        let ahead = normalize_angle(heading - found.position.heading).abs() <= FRAC_PI_2;
         let forward = lane.is_forward() == ahead;
         Ok(Some(Self {
             place: PositionOnLane { lane: found.lane, s },

@@ -215,12 +215,14 @@ impl<'a> Lane<'a> {
         own.into_iter().chain(next.filter(in_junction))
     }
 
-    /// Heading of the lane's traffic `[rad]`, in (−π, π], at its beginning or end in driving direction.
-    pub fn driving_heading(&self, at_end: bool) -> f64 {
+    /// Heading of the reference line as the lane's traffic goes `[rad]`, in (−π, π], at the lane's beginning or end in driving direction: a movement turns
+    /// as its road does, whatever its lanes' widths do.
+    pub fn road_heading(&self, at_end: bool) -> f64 {
         let section = self.section();
         let forward = self.is_forward();
         let s = if forward == at_end { section.s_end() } else { section.s_start() };
-        self.pose_at(s, 0.0).map_or(0.0, |pose| pose.heading)
+        let line = self.pose_of_reference_line(s, 0.0);
+        line.map_or(0.0, |pose| self.heading_along(pose.heading, 0.0))
     }
 
     /// Lanes of the same junction before (or behind) this one, itself first: one movement in pieces.
@@ -247,13 +249,13 @@ impl<'a> Lane<'a> {
 
     /// Where the movement through this lane of a junction leads.
     pub fn turn(&self) -> Turn {
-        self.turn_from(self.movement_start().driving_heading(false))
+        self.turn_from(self.movement_start().road_heading(false))
     }
 
     /// As [`Lane::turn`], where the heading with which the movement begins is known `[rad]`.
     #[doc(hidden)]
     pub fn turn_from(&self, from: f64) -> Turn {
-        let to = self.pieces(false).last().unwrap_or(*self).driving_heading(true);
+        let to = self.pieces(false).last().unwrap_or(*self).road_heading(true);
         let turned = mapd_geometry::normalize_angle(to - from);
         match turned.abs() {
             angle if angle <= STRAIGHT => Turn::Straight,
@@ -359,7 +361,7 @@ impl<'a> Lane<'a> {
             let signal = one.signal.signal();
             !signal.is_invalidated()
                 && signal.light().is_none_or(|light| {
-                    let turn = || lane.turn_from(start.driving_heading(false));
+                    let turn = || lane.turn_from(start.road_heading(false));
                     light.governs(*of_lane.get_or_init(turn))
                 })
         })

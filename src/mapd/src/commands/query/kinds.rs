@@ -25,7 +25,7 @@ pub enum Kind {
     Inertial,
     /// `road_id,s,t` → x,y,z of the road's surface, its normal, the lane's friction and roughness
     Surface,
-    /// `road_id,s,lane_id` → width,t_inner,t_outer,x,y,z,hdg of the lane's centre
+    /// `road_id,s,lane_id` → width,t_inner,t_outer,x,y,z of the lane's centre, hdg as its traffic goes
     Lane,
     /// `x,y[,z][,hdg]` or `lat,lon[,alt][,hdg]` → lane,road_id,lane_id,s,t,offset,distance
     Nearest,
@@ -254,7 +254,7 @@ impl Kind {
             Self::Lane => {
                 let (lane, s) = lane(holes, map, row)?;
                 let edges = lane.edges_at(s);
-                let pose = lane.pose_of_reference_line(s, 0.0).map_err(text)?;
+                let pose = lane.pose_at(s, 0.0).map_err(text)?;
                 let (p, hdg) = (pose.position, pose.heading);
                 numbers(out, &[edges.width(), edges.inner, edges.outer, p.x, p.y, p.z, hdg]);
             }

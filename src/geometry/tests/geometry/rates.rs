@@ -1,0 +1,37 @@
+//! How speed and curvature change along a curve, against differences of both.
+
+use crate::bends::curves;
+use mapd_geometry::{Curve, Start, compile};
+
+/// Half the stretch over which differences are taken `[m]`, and what they may be off, as a share.
+const HALF: f64 = 1e-4;
+const SHARE: f64 = 1e-4;
+
+#[test]
+fn rates_are_those_of_differences() {
+    for (number, ((primitive, length), _)) in curves().into_iter().enumerate() {
+        let compiled = compile(&primitive, length).expect("it compiles");
+        let start = Start::new(10.0, -20.0, 0.3);
+        let curve = Curve::new(compiled.kind, start, length, &compiled.coefficients);
+        let curve = curve.expect("just compiled");
+        for place in 1..20 {
+            let u = length * f64::from(place) / 20.0;
+            let rates = curve.rates(u);
+            let [speed, curvature] = curve.speed_and_curvature(u);
+            let off = (rates.speed - speed).abs().max((rates.curvature - curvature).abs());
+            assert!(off <= f64::EPSILON * (1.0 + curvature.abs()), "{number} at {u}: {rates:?}");
+            let change = |half: f64| {
+                let (a, b) =
+                    (curve.speed_and_curvature(u - half), curve.speed_and_curvature(u + half));
+                [0, 1].map(|part| (b[part] - a[part]) / (2.0 * half))
+            };
+            let [[speed, curvature], [_, coarse]] = [change(HALF), change(2.0 * HALF)];
+            let size = 1.0 + curvature.abs();
+            assert!((rates.speed_rate - speed).abs() <= SHARE, "{number} at {u}: {rates:?}");
+            if (coarse - curvature).abs() <= SHARE * size {
+                let off = (rates.curvature_rate - curvature).abs();
+                assert!(off <= 10.0 * SHARE * size, "{number} at {u}: {rates:?}, {curvature}");
+            }
+        }
+    }
+}
