@@ -2515,9 +2515,21 @@ typedef struct mapd_path_options {
    */
   double broken_kink;
   /*
-   Length of the road's s over which a change of lane is one smooth curve [m], for each lane that is changed to; 0, the default: the line jumps.
+   Length of S over which a change of lane is one smooth curve [m], for each lane that is changed to, over lanes that follow as far as it is allowed; 0, the default: the line jumps.
    */
   double change_length;
+  /*
+   How short a change may be that is a curve, where less is allowed [m]; what has even less room jumps, and its joint is broken. 0, the default: no shorter than its length.
+   */
+  double shortest_change;
+  /*
+   How far behind the first place where it can be a change begins that is a curve [m], as far as there is room; infinite for as late as can be. Default 0.
+   */
+  double change_delay;
+  /*
+   The class of the vehicle: a `MAPD_VEHICLE_CLASS_…`. A change does not go on over lanes that it may not use. Default a passenger car.
+   */
+  uint8_t vehicle;
 } mapd_path_options;
 
 /*
@@ -2655,7 +2667,7 @@ typedef struct mapd_path_joint {
    */
   uint8_t enter;
   /*
-   1: gap or kink are larger than the options allow. A change of lane that jumps breaks nothing by its gap.
+   1: gap or kink are larger than the options allow. A change of lane that jumps breaks nothing by its gap, unless the options say how short it may be.
    */
   uint8_t broken;
   /*

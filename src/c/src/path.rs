@@ -1,6 +1,7 @@
 //! A route as one line.
 
 use crate::code::{Failure, answer, mapd_code, mapd_error};
+use crate::graph::vehicle_of;
 use crate::ids::mapd_lane_id;
 use crate::list::{List, close, finite, get, hand_out, put, put_answer, put_some};
 use crate::options::{given_options, put_defaults};
@@ -83,7 +84,7 @@ pub struct mapd_path_joint {
     pub kink: f64,
     /// How the lane behind it is entered: a `MAPD_ENTER_…`.
     pub enter: u8,
-    /// 1: gap or kink are larger than the options allow. A change of lane that jumps breaks nothing by its gap.
+    /// 1: gap or kink are larger than the options allow. A change of lane that jumps breaks nothing by its gap, unless the options say how short it may be.
     pub broken: u8,
     /// 1: a change of lane that jumps because there is no room for the curve that the options ask for.
     pub is_short: u8,
@@ -99,8 +100,14 @@ pub struct mapd_path_options {
     pub broken_gap: f64,
     /// A joint with a larger kink is broken \[rad\]; as above. Default 0.3.
     pub broken_kink: f64,
-    /// Length of the road's s over which a change of lane is one smooth curve \[m\], for each lane that is changed to; 0, the default: the line jumps.
+    /// Length of S over which a change of lane is one smooth curve \[m\], for each lane that is changed to, over lanes that follow as far as it is allowed; 0, the default: the line jumps.
     pub change_length: f64,
+    /// How short a change may be that is a curve, where less is allowed \[m\]; what has even less room jumps, and its joint is broken. 0, the default: no shorter than its length.
+    pub shortest_change: f64,
+    /// How far behind the first place where it can be a change begins that is a curve \[m\], as far as there is room; infinite for as late as can be. Default 0.
+    pub change_delay: f64,
+    /// The class of the vehicle: a `MAPD_VEHICLE_CLASS_…`. A change does not go on over lanes that it may not use. Default a passenger car.
+    pub vehicle: u8,
 }
 
 impl From<PathError> for Failure {
@@ -165,8 +172,10 @@ pub(crate) unsafe fn path_of<'a>(path: *const mapd_path) -> Result<Path<'a, 'a>,
 ///
 /// As [`given_options`].
 unsafe fn options_of(options: *const mapd_path_options) -> Result<PathOptions, Failure> {
-    let given = unsafe { given_options(options, "mapd_path_options_init") }?;
-    Ok(given.map_or_else(PathOptions::default, |given| PathOptions {
+    let Some(given) = (unsafe { given_options(options, "mapd_path_options_init") }?) else {
+        return Ok(PathOptions::default());
+    };
+    Ok(PathOptions {
         broken_gap: given.broken_gap,
         broken_kink: given.broken_kink,
         change: if given.change_length == 0.0 {
@@ -174,7 +183,10 @@ unsafe fn options_of(options: *const mapd_path_options) -> Result<PathOptions, F
         } else {
             LaneChange::Lateral(given.change_length)
         },
-    }))
+        shortest_change: (given.shortest_change != 0.0).then_some(given.shortest_change),
+        change_delay: given.change_delay,
+        vehicle: vehicle_of(given.vehicle)?,
+    })
 }
 
 /// Sets options to their defaults. `size` is `sizeof(mapd_path_options)`.
@@ -186,8 +198,17 @@ pub unsafe extern "C" fn mapd_path_options_init(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let PathOptions { broken_gap, broken_kink, .. } = PathOptions::default();
-            let defaults = mapd_path_options { size, broken_gap, broken_kink, change_length: 0.0 };
+            let PathOptions { broken_gap, broken_kink, change_delay, vehicle, .. } =
+                PathOptions::default();
+            let defaults = mapd_path_options {
+                size,
+                broken_gap,
+                broken_kink,
+                change_length: 0.0,
+                shortest_change: 0.0,
+                change_delay,
+                vehicle: vehicle.code(),
+            };
             put_defaults(options, size, defaults)
         })
     }

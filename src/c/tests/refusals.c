@@ -207,6 +207,15 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_OK, mapd_path_options_init(&path_options, sizeof path_options, &error));
   path_options.change_length = -1.0;
   EXPECT(MAPD_CODE_ARGUMENT, mapd_path_new(map, steps, step_count, &path_options, &path, &error));
+  path_options.change_length = 40.0;
+  path_options.shortest_change = -1.0;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_new(map, steps, step_count, &path_options, &path, &error));
+  path_options.shortest_change = 10.0;
+  path_options.change_delay = -1.0;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_new(map, steps, step_count, &path_options, &path, &error));
+  path_options.change_delay = 0.0;
+  path_options.vehicle = 200;
+  EXPECT(MAPD_CODE_ARGUMENT, mapd_path_new(map, steps, step_count, &path_options, &path, &error));
   EXPECT(MAPD_CODE_OK, mapd_path_new(map, steps, step_count, NULL, &path, &error));
   mapd_path_fact fact;
   mapd_route_step part[64];

@@ -66,7 +66,11 @@ fn paths_do_not_allocate_after_the_first_call() {
         (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut ring, mut other) = (Vec::new(), PathBuffer::default());
     let (mut crossings, mut approaches) = (Vec::new(), Vec::new());
-    let lateral = PathOptions { change: LaneChange::Lateral(5.0), ..PathOptions::default() };
+    let lateral = PathOptions {
+        change: LaneChange::Lateral(40.0),
+        shortest_change: Some(5.0),
+        ..PathOptions::default()
+    };
     let stations = [0.0, 5.0, 10.0, 1e9];
     let mut round = || {
         let mut seen = 0;

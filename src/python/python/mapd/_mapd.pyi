@@ -569,13 +569,17 @@ class Map:
         steps: Route | Iterable[RouteStep],
         *,
         change_length: float | None = None,
+        shortest_change: float | None = None,
+        change_delay: float = 0.0,
+        vehicle: str = "passengerCar",
         broken_gap: float = 0.1,
         broken_kink: float = 0.3,
     ) -> Path:
         """A route, or steps made by hand, as one line; PathError names the step that does not follow.
 
-        `change_length` [m] makes each change of lane a smooth curve of that length where there is room; else the line jumps. Joints with a larger gap than `broken_gap` [m]
-        or kink than `broken_kink` [rad] are broken.
+        `change_length` [m] makes each change of lane a smooth curve of that length, over lanes that follow as far as the `vehicle` may change there; without room the line
+        jumps. With `shortest_change` [m], less room makes it shorter, and what has even less is a broken joint. `change_delay` [m] is how far behind the first place where it
+        can be it begins, as far as there is room: `math.inf` for as late as can be. Joints with a larger gap than `broken_gap` [m] or kink than `broken_kink` [rad] are broken.
         """
     @property
     def overlay_revision(self) -> int:

@@ -127,18 +127,27 @@ impl Map {
 
     /// A route, or steps made by hand, as one line; PathError names the step that does not follow.
     ///
-    /// `change_length` [m] makes each change of lane a smooth curve of that length where there is room; else the line jumps. Joints with a larger gap than `broken_gap` [m]
-    /// or kink than `broken_kink` [rad] are broken.
-    #[pyo3(signature = (steps, *, change_length = None, broken_gap = 0.1, broken_kink = 0.3))]
+    /// `change_length` [m] makes each change of lane a smooth curve of that length, over lanes that follow as far as the `vehicle` may change there; without room the line
+    /// jumps. With `shortest_change` [m], less room makes it shorter, and what has even less is a broken joint. `change_delay` [m] is how far behind the first place where it
+    /// can be it begins, as far as there is room: `math.inf` for as late as can be. Joints with a larger gap than `broken_gap` [m] or kink than `broken_kink` [rad] are broken.
+    #[pyo3(signature = (steps, *, change_length = None, shortest_change = None, change_delay = 0.0, vehicle = "passengerCar",
+        broken_gap = 0.1, broken_kink = 0.3))]
+    #[expect(clippy::too_many_arguments, reason = "options by name, as Python has them")]
     fn path(
         &self,
         steps: &Bound<'_, PyAny>,
         change_length: Option<f64>,
+        shortest_change: Option<f64>,
+        change_delay: f64,
+        vehicle: &str,
         broken_gap: f64,
         broken_kink: f64,
     ) -> PyResult<crate::path::Path> {
         let change = change_length.map_or(LaneChange::Jump, LaneChange::Lateral);
-        crate::path::path(&self.0, steps, &PathOptions { broken_gap, broken_kink, change })
+        let vehicle = vehicle_of(vehicle)?;
+        let options =
+            PathOptions { broken_gap, broken_kink, change, shortest_change, change_delay, vehicle };
+        crate::path::path(&self.0, steps, &options)
     }
 
     /// The lanes on which traffic comes to a conflict of a path, back to a distance [m], nearest first; the other lane itself comes first.

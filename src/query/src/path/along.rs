@@ -1,6 +1,6 @@
 //! Places along a path.
 
-use super::change::Shift;
+use super::change::{Displacement, ShiftAt};
 use super::{Path, Span};
 use crate::beside::{self, Beside};
 use crate::error::QueryError;
@@ -63,6 +63,9 @@ pub(super) struct Center {
     pub(super) superelevation: f64,
 }
 
+/// Most that a curve may lead to the side per metre of S: at 1 it would run straight across.
+const STEEPEST: f64 = 0.97;
+
 /// How the driven line runs beside the reference line.
 struct Course {
     /// The reference line, relative to the local origin.
@@ -78,21 +81,27 @@ struct Course {
 }
 
 impl Course {
-    fn new(lane: &Lane<'_>, at: At, shift: Option<&Shift>) -> Option<Self> {
+    fn new(lane: &Lane<'_>, at: At, forward: bool, shift: Option<&ShiftAt>) -> Option<Self> {
         let road = lane.road();
         let piece = road.piece_at(at)?;
         let point = piece.curve.evaluate(at.s - piece.s);
         let [speed, _] = piece.speed_and_curvature(at.s);
         let edges = lane.edge_slopes(at);
-        let shift = shift.map_or_else(Slope::default, |shift| shift.at(lane, at, &edges));
+        let shift =
+            shift.map_or_else(Displacement::default, |shift| shift.beside(lane, at, &edges));
         let center = edges.center();
         let t = Slope {
             value: center.value + shift.value,
-            derivative: center.derivative + shift.derivative,
+            derivative: center.derivative + shift.growth,
         };
         let roll = road.roll_angle(at);
         let line = Beside::new(&road, at, (roll.0, roll.1), t);
-        let run = line.driven([speed, point.curvature]);
+        let mut run = line.driven([speed, point.curvature]);
+        if shift.per_along != 0.0 {
+            let is_folded = line.run([speed, point.curvature])[0] < 0.0;
+            let per_along = if forward == is_folded { -shift.per_along } else { shift.per_along };
+            run[1] += aside(run, per_along * roll.0);
+        }
         Some(Self { point, t: t.value, edges, shift: shift.value, roll, run })
     }
 
@@ -104,6 +113,15 @@ impl Course {
     }
 }
 
+/// What a curve that leads to the side by the length of the line itself adds to the metres to the left per metre of s of a line that runs like this.
+fn aside([ahead, left]: [f64; 2], per_along: f64) -> f64 {
+    // The length g per metre of s: g² = ahead² + (left + per_along·g)².
+    let slope = mapd_geometry::clamp(per_along, -STEEPEST, STEEPEST);
+    let (rest, square) = (1.0 - slope * slope, ahead * ahead + left * left);
+    let growth = (left * slope + (left * left * slope * slope + rest * square).sqrt()) / rest;
+    slope * growth
+}
+
 /// The driven line at a place of a lane.
 ///
 /// Errors: a damaged archive.
@@ -111,9 +129,9 @@ pub(super) fn center(
     lane: &Lane<'_>,
     at: At,
     forward: bool,
-    shift: Option<&Shift>,
+    shift: Option<&ShiftAt>,
 ) -> Result<Center, QueryError> {
-    let own = Course::new(lane, at, shift).ok_or(QueryError::Corrupt)?;
+    let own = Course::new(lane, at, forward, shift).ok_or(QueryError::Corrupt)?;
     let z = lane.road().elevation(at) + own.t * own.roll.1;
     let [ahead, left] = own.run;
     let turn = mapd_geometry::atan2(left, ahead);
@@ -134,9 +152,9 @@ pub(super) fn tangent(
     lane: &Lane<'_>,
     at: At,
     forward: bool,
-    shift: Option<&Shift>,
+    shift: Option<&ShiftAt>,
 ) -> Option<[DVec2; 2]> {
-    let own = Course::new(lane, at, shift)?;
+    let own = Course::new(lane, at, forward, shift)?;
     let along = DVec2::new(own.point.cos, own.point.sin);
     let ([ahead, left], growth) = (own.run, beside::length(own.run));
     let growth = if forward { growth } else { -growth };
@@ -164,10 +182,11 @@ impl Path<'_, '_> {
         let along = mapd_geometry::clamp(along, 0.0, end);
         let span = self.span_at(along).ok_or(QueryError::Corrupt)?;
         let (piece, lane) = self.piece(span).ok_or(QueryError::Corrupt)?;
-        let shift = self.shift(span);
         let at = |along: f64| {
             let s = span.s_at(along - span.along);
-            Ok::<_, QueryError>((center(&lane, span.place(s), piece.forward, shift)?, s))
+            let shift = self.shift_at(span, along);
+            let own = center(&lane, span.place(s), piece.forward, shift.as_ref())?;
+            Ok::<_, QueryError>((own, s))
         };
         let (own, s) = at(along)?;
         // A short stretch around the place, all of it on the span.

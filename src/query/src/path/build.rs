@@ -2,14 +2,14 @@
 
 use super::along::center;
 use super::arc::Arc;
-use super::change::{LaneChange, PARTS, Shift};
+use super::change::{LaneChange, MOST_PARTS, Shift, ShiftAt, shift_at};
+use super::room::{Changes, is_change};
 use super::speed::{Way, note_ways};
 use super::{Path, PathBuffer, PathError, PathJoint, PathOptions, Piece, Span};
 use crate::area;
 use crate::error::QueryError;
 use crate::extents::SRange;
 use crate::ids::LaneId;
-use crate::integral::integral;
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::profile::At;
@@ -30,6 +30,9 @@ const MOST_HALVINGS: u32 = 6;
 const OFF: f64 = 0.1;
 /// Bound on a span's `bend`: S grows with s all along.
 const MOST_BENT: f64 = 0.99;
+/// Step of s by which the length of a curve is taken `[m]`, and most steps on half a span.
+const LENGTH_STEP: f64 = 0.25;
+const MOST_LENGTH_STEPS: f64 = 32.0;
 /// Shares of a span at which it is compared with a circle.
 const PLACES: [f64; 3] = [0.2, 0.5, 0.8];
 /// A span that lies this near to a circle is one `[m]`.
@@ -54,18 +57,18 @@ impl<'a> Map<'a> {
         buffer.spans.clear();
         buffer.joints.clear();
         buffer.shifts.clear();
+        buffer.open.clear();
         buffer.boxes.clear();
         buffer.content = self.content();
         options.check()?;
         let mut before: Option<&RouteStep> = None;
         let mut builder = Builder {
             map: *self,
+            changes: Changes { map: *self, steps, options },
             options,
             buffer,
             entered: Enter::Start,
             before: None,
-            left: None,
-            changes: 0,
             short: false,
         };
         for (number, step) in steps.iter().enumerate() {
@@ -274,37 +277,36 @@ fn follows(
 
 struct Builder<'a, 'b, 'o> {
     map: Map<'a>,
+    changes: Changes<'a, 'o>,
     options: &'o PathOptions,
     buffer: &'b mut PathBuffer,
     /// How the next piece is entered, with changes over lanes that are not driven on.
     entered: Enter,
     /// The lane of the step before.
     before: Option<u32>,
-    /// The lane that is left by the changes since the last lane that is driven on, and their number.
-    left: Option<u32>,
-    changes: u32,
     /// Whether the next piece is entered by a change that has no room for its curve.
     short: bool,
 }
 
 impl Builder<'_, '_, '_> {
     fn add(&mut self, lane: &Lane<'_>, step: &RouteStep, number: usize) {
-        let changes = |enter| matches!(enter, Enter::Left | Enter::Right);
-        if changes(step.enter) || !changes(self.entered) {
+        if is_change(step) || !matches!(self.entered, Enter::Left | Enter::Right) {
             self.entered = step.enter;
         }
-        (self.left, self.changes) = match changes(step.enter) {
-            true => (self.left.or(self.before), self.changes + 1),
-            false => (None, 0),
-        };
+        self.go_on(lane, step);
+        if is_change(step) {
+            self.change(lane, step, number);
+        }
         self.before = Some(lane.row_number());
         let (low, high) = (step.s_from.min(step.s_to), step.s_from.max(step.s_to));
         if low >= high {
             return;
         }
-        let shift = self.curve(lane, step);
         let first = self.buffer.spans.len() as u32;
         let piece = self.buffer.pieces.len() as u32;
+        let mut shift = self.buffer.shifts.len() as u32;
+        let PathBuffer { shifts, open, .. } = &mut *self.buffer;
+        shifts.extend(open.iter().map(|own| Shift { piece, ..*own }));
         let segments = usize::from(lane.row.center_count()).saturating_sub(1);
         for i in 0..segments {
             let segment = if step.forward { i } else { segments - 1 - i };
@@ -313,17 +315,21 @@ impl Builder<'_, '_, '_> {
             if from < to {
                 let [mut begin, end] = if step.forward { [from, to] } else { [to, from] };
                 let hold = 0.5 * (slab.s_lo + slab.s_hi);
-                // A part of each that the curve has, and what lies behind it: between large numbers a part has no end of its own.
-                for _ in 0..=PARTS as usize {
+                // Between large numbers a part has no end of its own: the last one has all that is left.
+                for number in 0..=MOST_PARTS {
                     if begin == end {
                         break;
                     }
-                    let cut = shift.map_or(end, |shift| shift.cut([begin, end]));
-                    // Behind its end a curve is none.
-                    let on_it =
-                        shift.is_some_and(|own| (cut - own.s[1]) * sign(step.forward) <= 0.0);
-                    let number = self.buffer.shifts.len().wrapping_sub(1);
-                    let number = if on_it { number as u32 } else { NONE };
+                    let along = self.along();
+                    let own = self.buffer.shifts.get(shift as usize..).unwrap_or(&[]);
+                    shift += own.iter().take_while(|own| own.along[1] <= along).count() as u32;
+                    let own = self.buffer.shifts.get(shift as usize);
+                    let least = (to - from) / f64::from(MOST_PARTS);
+                    let is_cut = own.is_some() && number < MOST_PARTS;
+                    let cut =
+                        own.filter(|_| is_cut).map_or(end, |own| own.cut([begin, end], least));
+                    let cut = if cut == begin { end } else { cut };
+                    let number = if own.is_some() { shift } else { NONE };
                     self.span(lane, [begin, cut], hold, [piece, number], MOST_HALVINGS);
                     begin = cut;
                 }
@@ -338,47 +344,80 @@ impl Builder<'_, '_, '_> {
         }
     }
 
-    /// The curve of a change into a step's lane; none for a jump.
-    fn curve(&mut self, lane: &Lane<'_>, step: &RouteStep) -> Option<Shift> {
-        let changes = f64::from(std::mem::take(&mut self.changes));
-        let from = self.left.take();
-        self.short = false;
-        let LaneChange::Lateral(length) = self.options.change else { return None };
-        self.short = matches!(self.entered, Enter::Left | Enter::Right);
-        let left = Lane::new(self.map, from?)?;
-        let room = sign(step.forward) * (step.s_latest - step.s_from);
-        let room = room.min((step.s_to - step.s_from).abs());
-        let length = length * changes;
-        let beside = left.row.section() == lane.row.section();
-        if !(beside && length > 0.0 && length <= room) {
-            return None;
+    /// S up to which the line is made.
+    fn along(&self) -> f64 {
+        self.buffer.spans.last().map_or(0.0, Span::end)
+    }
+
+    /// Takes curves that are not done on to a step's section: beside its lane, the lanes that those before lead to.
+    fn go_on(&mut self, lane: &Lane<'_>, step: &RouteStep) {
+        let along = self.along();
+        let open = &mut self.buffer.open;
+        open.retain(|own| along < own.along[1]);
+        let before = self.before.and_then(|before| Lane::new(self.map, before));
+        if open.is_empty() || before.is_none_or(|own| own.row.section() == lane.row.section()) {
+            return;
         }
-        let from = left.row_number();
-        self.short = false;
-        let s = [step.s_from, step.s_from + sign(step.forward) * length];
-        let shift = Shift { from, s };
-        self.buffer.shifts.push(shift);
-        Some(shift)
+        let mut next = lane.node_at(step.s_from, step.forward);
+        for own in open.iter_mut().rev() {
+            let beside = next.and_then(|next| if own.left { next.right() } else { next.left() });
+            let from = Lane::new(self.map, own.from);
+            let beside = beside.filter(|beside| {
+                from.is_some_and(|from| {
+                    let targets = from.nodes().flat_map(|node| node.edges());
+                    targets.filter_map(|edge| edge.target()).any(|to| to.number == beside.number)
+                })
+            });
+            let Some((to, from)) = next.zip(beside) else {
+                open.clear();
+                return;
+            };
+            (own.to, own.from) = (to.row.lane(), from.row.lane());
+            next = Some(from);
+        }
+    }
+
+    /// Begins the curve of a change into a step's lane; where there is no room for one, the line jumps, also out of those that are not done.
+    fn change(&mut self, lane: &Lane<'_>, step: &RouteStep, number: usize) {
+        let LaneChange::Lateral(_) = self.options.change else { return };
+        let along = self.along();
+        let done = self.buffer.open.last().map_or(along, |last| last.along[1].max(along));
+        let curve = self.changes.place(number, done - along).zip(self.before);
+        let Some((curve, from)) = curve else {
+            self.short = true;
+            self.buffer.open.clear();
+            return;
+        };
+        let to = lane.row_number();
+        let left = step.enter == Enter::Left;
+        let along = curve.map(|gone| along + gone);
+        self.buffer.open.push(Shift { from, to, left, piece: NONE, along });
     }
 
     /// Adds what is driven between two s, in halves where S bends too much. `number`: of its piece and its curve.
     fn span(&mut self, lane: &Lane<'_>, s: [f64; 2], hold: f64, number: [u32; 2], halvings: u32) {
         let [piece, shift] = number;
         let forward = s[0] < s[1];
-        let curve = self.buffer.shifts.get(shift as usize).copied();
-        let at = |s: f64| center(lane, At { s, hold }, forward, curve.as_ref()).ok();
-        let (Some(a), Some(b)) = (at(s[0]), at(s[1])) else { return };
+        let curves = self.buffer.shifts.get(shift as usize).is_some();
+        let along = self.along();
+        let shifts = &self.buffer.shifts;
+        let at = |s: f64, gone: f64| {
+            let own: Option<ShiftAt> = shift_at(shifts, shift, along + gone);
+            center(lane, At { s, hold }, forward, own.as_ref()).ok()
+        };
         let middle = 0.5 * (s[0] + s[1]);
-        let measure = |from: f64, to: f64| match curve {
-            None => lane.length_between(from, to),
-            Some(_) => {
-                let mut growth = |s| at(s).map_or(f64::NAN, |own| own.growth);
+        let measure = |from: f64, to: f64, gone: f64| match curves {
+            false => lane.length_between(from, to),
+            true => {
                 let line = lane.road().reference_end();
-                integral(&mut growth, from.min(to).min(line), from.max(to).min(line))
+                let growth = |s: f64, gone| at(s, gone).map_or(f64::NAN, |own| own.growth);
+                length_of(growth, [from.min(line), to.min(line)], gone)
             }
         };
-        let halves = [measure(s[0], middle), measure(middle, s[1])];
+        let first = measure(s[0], middle, 0.0);
+        let halves = [first, measure(middle, s[1], first)];
         let length = halves[0] + halves[1];
+        let (Some(a), Some(b)) = (at(s[0], 0.0), at(s[1], length)) else { return };
         if !(length > 0.0 && length.is_finite()) {
             return;
         }
@@ -395,12 +434,10 @@ impl Builder<'_, '_, '_> {
             return;
         }
         let origin = self.map.origin();
-        let along = self.buffer.spans.last().map_or(0.0, Span::end);
         let ends = [a.position.truncate() - origin, b.position.truncate() - origin];
         let chord = ends[0].distance(ends[1]);
         // What lies on a line of some length between two points lies in an ellipse around them.
         let slack = 0.5 * (length * length - chord * chord).max(0.0).sqrt() + ROUNDING;
-        self.joint(along, ends[0], a.heading, piece, curve.is_some());
         let turn = normalize_angle(b.heading - a.heading);
         let heading = a.heading;
         let arc = Arc::new(ends, length, turn);
@@ -409,17 +446,18 @@ impl Builder<'_, '_, '_> {
         // Whether it lies on the circle shows in places between.
         let off = |share: f64| {
             let gone = share * length;
-            let own = at(span.s_at(gone)).map(|own| own.position.truncate() - origin);
+            let own = at(span.s_at(gone), gone).map(|own| own.position.truncate() - origin);
             own.map_or(f64::INFINITY, |own| own.distance(span.arc.at(gone)))
         };
         span.arc.is_exact = PLACES.into_iter().all(|share| off(share) <= EXACT);
+        self.joint(along, ends[0], heading, piece, curves);
         self.buffer.spans.push(span);
     }
 
     /// Lists what lies between the last span and one that begins here, on a curve or not.
     fn joint(&mut self, along: f64, begin: DVec2, heading: f64, piece: u32, curved: bool) {
         let Some(last) = self.buffer.spans.last() else {
-            self.entered = Enter::Ahead;
+            (self.entered, self.short) = (Enter::Ahead, false);
             return;
         };
         let gap = last.ends[1].distance(begin);
@@ -430,8 +468,26 @@ impl Builder<'_, '_, '_> {
             let apart = (!changes || curved) && gap > self.options.broken_gap;
             let broken = apart || kink.abs() > self.options.broken_kink;
             let short = changes && self.short;
+            let broken = broken || (short && self.options.shortest_change.is_some());
             self.buffer.joints.push(PathJoint { along, gap, kink, enter, short, broken });
         }
-        self.entered = Enter::Ahead;
+        (self.entered, self.short) = (Enter::Ahead, false);
     }
+}
+
+/// Length of a line from one s to another, where its metres per metre of s depend on the length up to there: by Runge and Kutta's method of fourth order.
+fn length_of(growth: impl Fn(f64, f64) -> f64, [from, to]: [f64; 2], gone: f64) -> f64 {
+    let run = (to - from).abs();
+    let steps = mapd_geometry::clamp((run / LENGTH_STEP).ceil(), 1.0, MOST_LENGTH_STEPS);
+    let (step, way) = (run / steps, (to - from) / steps);
+    let mut along = gone;
+    for i in 0..steps as usize {
+        let s = from + way * i as f64;
+        let a = growth(s, along);
+        let b = growth(s + 0.5 * way, along + 0.5 * step * a);
+        let c = growth(s + 0.5 * way, along + 0.5 * step * b);
+        let d = growth(s + way, along + step * c);
+        along += step / 6.0 * (a + 2.0 * (b + c) + d);
+    }
+    along - gone
 }

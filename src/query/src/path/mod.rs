@@ -27,6 +27,7 @@ mod overlaps;
 mod positions;
 mod project;
 mod rebase;
+mod room;
 mod segments;
 mod settle;
 mod speed;
@@ -54,6 +55,7 @@ use crate::lane::Lane;
 use crate::map::Map;
 use crate::route::{Enter, RouteStep};
 use glam::DVec2;
+use mapd_archive::VehicleClass;
 
 /// A gap of this size breaks a path `[m]`.
 const BROKEN_GAP: f64 = 0.1;
@@ -70,11 +72,26 @@ pub struct PathOptions {
     pub broken_kink: f64,
     /// How the line changes lanes. Default: by a jump.
     pub change: LaneChange,
+    /// How short a change may be that is a curve, where less than its length is allowed `[m]`, for each lane that is changed to; positive. What has even less room jumps,
+    /// and its joint is `short` and `broken`. Default none: a change has its length, or its joint is `short`.
+    pub shortest_change: Option<f64>,
+    /// How far behind the first place where it can be a change begins that is a curve `[m]`, as far as it has room there, and those that follow; not negative,
+    /// infinite for as late as can be. Default 0.
+    pub change_delay: f64,
+    /// The class of the vehicle: a change does not go on over lanes that it may not use. Default: passenger car.
+    pub vehicle: VehicleClass,
 }
 
 impl Default for PathOptions {
     fn default() -> Self {
-        Self { broken_gap: BROKEN_GAP, broken_kink: BROKEN_KINK, change: LaneChange::Jump }
+        Self {
+            broken_gap: BROKEN_GAP,
+            broken_kink: BROKEN_KINK,
+            change: LaneChange::Jump,
+            shortest_change: None,
+            change_delay: 0.0,
+            vehicle: VehicleClass::PassengerCar,
+        }
     }
 }
 
@@ -89,6 +106,8 @@ impl PathOptions {
             ("broken_gap", self.broken_gap >= 0.0),
             ("broken_kink", self.broken_kink >= 0.0),
             ("change", length > 0.0 && length.is_finite()),
+            ("shortest_change", self.shortest_change.is_none_or(|own| own > 0.0)),
+            ("change_delay", self.change_delay >= 0.0),
         ];
         match rules.iter().find(|(_, holds)| !holds) {
             Some((name, _)) => Err(PathError::Option(name)),
@@ -106,6 +125,8 @@ pub struct PathBuffer {
     spans: Vec<Span>,
     joints: Vec<PathJoint>,
     shifts: Vec<change::Shift>,
+    /// Those that are not done, while it is built.
+    open: Vec<change::Shift>,
     boxes: boxes::Boxes,
     /// The largest slack of a span `[m]`.
     slack: f64,
@@ -127,7 +148,8 @@ pub struct PathJoint {
     pub enter: Enter,
     /// Whether it is a change of lane that jumps because there is no room for the curve that the options ask for.
     pub short: bool,
-    /// Whether gap or kink are larger than the options allow. A change of lane that jumps breaks nothing by its gap.
+    /// Whether gap or kink are larger than the options allow. A change of lane that jumps breaks nothing by its gap, unless the options say how short
+    /// it may be.
     pub broken: bool,
 }
 
@@ -164,7 +186,7 @@ struct Span {
     /// The circle or line through both ends.
     arc: arc::Arc,
     piece: u32,
-    /// The curve of a change of lane that it is part of, or none.
+    /// The first of the curves of changes of lane that it is part of, or none.
     shift: u32,
 }
 

@@ -116,8 +116,9 @@ impl<'a> Path<'a, '_> {
                 }
                 let gone = span.length * part / parts;
                 let at = span.place(span.s_at(gone));
-                let shift = self.shift(span);
-                let Ok(place) = center(own.lane, at, own.piece.forward, shift) else { continue };
+                let shift = self.shift_at(span, span.along + gone);
+                let place = center(own.lane, at, own.piece.forward, shift.as_ref());
+                let Ok(place) = place else { continue };
                 let along = [span.along + gone - reach, span.along + gone + reach];
                 let point = Point::from(place.position);
                 looks.spend(self.overlaps_at(own, &near, point, along, before, out));

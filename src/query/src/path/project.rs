@@ -150,13 +150,13 @@ impl<'b> Path<'_, 'b> {
             return Some(Foot { span, gone, distance, ahead, d, way });
         }
         let (piece, lane) = self.piece(span)?;
-        let shift = self.shift(span);
         let curvature = span.turn / span.length;
         let mut gone = mapd_geometry::clamp(span.arc.guess(local), 0.0, span.length);
         let mut best: Option<Foot<'b>> = None;
         for _ in 0..STEPS {
             let at = span.place(span.s_at(gone));
-            let [place, way] = tangent(&lane, at, piece.forward, shift)?;
+            let shift = self.shift_at(span, span.along + gone);
+            let [place, way] = tangent(&lane, at, piece.forward, shift.as_ref())?;
             let away = local - place;
             let (ahead, d) = (away.dot(way), way.perp_dot(away));
             let room = (1.0 - curvature * d).max(MIN_CONTRACTION);
@@ -210,7 +210,8 @@ impl<'b> Path<'_, 'b> {
     fn foot_at(&self, span: &'b Span, local: DVec2, gone: f64) -> Option<Foot<'b>> {
         let (piece, lane) = self.piece(span)?;
         let at = span.place(span.s_at(gone));
-        let [place, way] = tangent(&lane, at, piece.forward, self.shift(span))?;
+        let shift = self.shift_at(span, span.along + gone);
+        let [place, way] = tangent(&lane, at, piece.forward, shift.as_ref())?;
         let away = local - place;
         let (ahead, d) = (away.dot(way), way.perp_dot(away));
         Some(Foot { span, gone, distance: away.length(), ahead, d, way })

@@ -121,7 +121,8 @@ impl Path<'_, '_> {
         let span = spans.iter().rfind(|span| span.along <= along).or(spans.first());
         let span = span.ok_or(QueryError::Corrupt)?;
         let s = span.s_at(along - span.along);
-        let own = super::along::center(&lane, span.place(s), piece.forward, self.shift(span))?;
+        let shift = self.shift_at(span, along);
+        let own = super::along::center(&lane, span.place(s), piece.forward, shift.as_ref())?;
         let point = own.position.truncate();
         let by_key = map
             .lane_by_key(&lane.key())

@@ -76,7 +76,8 @@ impl<'a> Path<'a, '_> {
         let span = spans.get(spans.partition_point(|span| span.end() < along))?;
         let (piece, lane) = self.piece(span)?;
         let at = span.place(span.s_at(along - span.along));
-        let place = center(&lane, at, piece.forward, self.shift(span)).ok()?;
+        let shift = self.shift_at(span, along);
+        let place = center(&lane, at, piece.forward, shift.as_ref()).ok()?;
         let half = 0.5 * (place.edges.outer.value - place.edges.inner.value).abs() - TOUCHES;
         let (middle, left) = (place.position.truncate(), DVec2::from_angle(place.heading).perp());
         Some([middle + left * half.max(0.0), middle, middle - left * half.max(0.0)])
