@@ -177,7 +177,7 @@ impl Particles {
 /// Lanes that cars drive on, by the heading too.
 fn options() -> NearestOptions {
     NearestOptions {
-        types: LaneTypes::drivable(),
+        types: LaneTypes::routable(),
         heading_tolerance: Some(0.5 * PI),
         ..NearestOptions::default()
     }

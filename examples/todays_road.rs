@@ -48,7 +48,7 @@ fn plan(
     steps: &mut Vec<RouteStep>,
 ) -> Result<()> {
     let (map, mut out) = (view.map(), std::io::stdout().lock());
-    let options = NearestOptions { types: LaneTypes::drivable(), ..NearestOptions::default() };
+    let options = NearestOptions { types: LaneTypes::routable(), ..NearestOptions::default() };
     let here = map.nearest_lane(start, &options)?.context("no lane is near")?;
     let (s, number): (f64, i32) = (s.parse()?, lane.parse()?);
     let section = map.road_by_id(road).and_then(|road| road.section_at(s));

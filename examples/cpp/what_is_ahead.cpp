@@ -37,7 +37,7 @@ class Planner {
   void cycle(double x, double y, double heading) {
     map_ = client_.refresh();  // a newer map, if there is one; what was taken from the old one stays good while it is held
     mapd::NearestOptions options;
-    options.types = mapd_lane_types_drivable();
+    options.types = mapd_lane_types_routable();
     options.heading = heading;
     options.heading_tolerance = 1.0;
     const auto here = map_.nearest_lane({x, y}, options);

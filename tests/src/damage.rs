@@ -89,7 +89,7 @@ fn ask_rows_of(snapshot: &Snapshot) {
     }
     let (region, mut lanes, mut segments) =
         (Region::around(DVec2::new(20.0, 1.0), 30.0), vec![], vec![]);
-    let _ = map.boundary_segments(region, LaneTypes::drivable(), &mut lanes, &mut segments);
+    let _ = map.boundary_segments(region, LaneTypes::routable(), &mut lanes, &mut segments);
     let _ = map.road_mark_segments(region, LaneTypes::ALL, &mut lanes, &mut segments, &mut vec![]);
     ask_graph(map);
     ask_signals(map);

@@ -176,7 +176,7 @@ pub fn tracked(
 /// Shares of fixes whose lane is right: of the trace matched as a whole, and of the nearest lane to each fix.
 pub fn accuracy(map: Map<'_>, noise: f64, every: usize, drives: u64) -> [f64; 2] {
     let options = TraceOptions { deviation: noise, ..TraceOptions::default() };
-    let nearest = NearestOptions { types: LaneTypes::drivable(), ..NearestOptions::default() };
+    let nearest = NearestOptions { types: LaneTypes::routable(), ..NearestOptions::default() };
     let (mut scratch, mut out) = (TraceScratch::default(), Vec::new());
     let (mut right, mut all) = ([0.0, 0.0], 0.0);
     for seed in 1..=drives {
@@ -334,7 +334,7 @@ pub fn judge(
     wandering: Wander,
     drives: u64,
 ) -> Judgement {
-    let types = LaneTypes::drivable();
+    let types = LaneTypes::routable();
     let plain = MatchOptions { types, ..MatchOptions::default() };
     let (mut tracker, options) = (Tracker::new(), TrackerOptions::default());
     let (mut judged, mut out, mut guesses) = (Judgement::default(), Vec::new(), Vec::new());
@@ -427,7 +427,7 @@ fn is_apart(map: Map<'_>, truth: &Truth) -> bool {
     let Ok(center) = own.waypoint_at(at.s) else { return false };
     let options = NearestOptions {
         radius: AROUND,
-        types: LaneTypes::drivable(),
+        types: LaneTypes::routable(),
         heading: Some(truth.heading),
         heading_tolerance: Some(0.25 * TAU),
         ..NearestOptions::default()

@@ -326,6 +326,8 @@ inline std::string_view version() noexcept { return view(mapd_version()); }
 
 /// Bits of the lane types that the lane graph opens to motor vehicles, for `NearestOptions::types`.
 inline std::uint64_t lane_types_drivable() noexcept { return mapd_lane_types_drivable(); }
+/// Bits of the lane types that routes lead over.
+inline std::uint64_t lane_types_routable() noexcept { return mapd_lane_types_routable(); }
 
 /// The classes that localisers use.
 inline ClassSet class_set_landmarks() noexcept { return mapd_class_set_landmarks(); }

@@ -29,7 +29,7 @@ pub struct mapd_nearest_options {
     pub size: usize,
     /// Largest plan-view distance from the lane's area \[m\]. Default 10.
     pub radius: f64,
-    /// Lane types that count: the bit of each is `1 << code`; `UINT64_MAX`, the default, is all. See `mapd_lane_types_drivable`.
+    /// Lane types that count: the bit of each is `1 << code`; `UINT64_MAX`, the default, is all. See `mapd_lane_types_drivable` and `mapd_lane_types_routable`.
     pub types: u64,
     /// Largest difference between the point's z and the lane's \[m\]; counts only with `has_z_tolerance` and a point that has z.
     pub z_tolerance: f64,
@@ -159,10 +159,16 @@ pub unsafe extern "C" fn mapd_nearest_options_init(
     }
 }
 
-/// Bits of the lane types that the lane graph opens to motor vehicles.
+/// Bits of the lane types that are built for motor vehicles, whoever may use them.
 #[unsafe(no_mangle)]
 pub extern "C" fn mapd_lane_types_drivable() -> u64 {
     LaneTypes::drivable().bits()
+}
+
+/// Bits of the lane types that routes lead over: those that the lane graph opens to motor vehicles where no access record says otherwise.
+#[unsafe(no_mangle)]
+pub extern "C" fn mapd_lane_types_routable() -> u64 {
+    LaneTypes::routable().bits()
 }
 
 /// The lane whose area is nearest to a point in plan view, within the options' radius; distance 0 inside. Ties go by heading difference, z

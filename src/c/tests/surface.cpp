@@ -120,7 +120,8 @@ int main(int argc, char** argv) {
   CHECK(first && *first && (**first)[0] == lane);
   CHECK(mapd::word(MAPD_WORDS_LANE_TYPE, map.try_lane(lane)->kind) == "driving");
 
-  const mapd::NearestOptions drivable{10.0, mapd::lane_types_drivable()};
+  const mapd::NearestOptions drivable{10.0, mapd::lane_types_routable()};
+  CHECK((mapd::lane_types_drivable() | mapd::lane_types_routable()) != mapd::lane_types_routable());
   CHECK(drivable.types != 0 && (*map.try_nearest_lane({50.0, -1.75}, drivable))->lane == lane);
   CHECK(!mapd::version().empty() && mapd::version().find('.') != std::string_view::npos);
   CHECK(map.try_populate().code == MAPD_CODE_OK);

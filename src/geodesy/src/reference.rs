@@ -95,9 +95,9 @@ impl Reference {
         let read = match form {
             Form::Absent | Form::Other => Err(ReferenceError::Unrecognized),
             Form::Proj | Form::Parameters => canonical(text),
-            Form::Epsg => code(text).and_then(|(text, height)| {
+            Form::Epsg => code(text).and_then(|(text, doubts)| {
                 let (definition, mut warnings) = canonical(text)?;
-                warnings.extend(height);
+                warnings.extend(doubts);
                 Ok((definition, warnings))
             }),
             Form::Wkt1 | Form::Wkt2 => {
@@ -186,15 +186,24 @@ fn epsg(text: &str) -> Option<(&str, Option<&str>)> {
     (is_code(code) && tail.starts_with([':', '/'])).then_some((code, height))
 }
 
-/// The parameters of a code, and the doubt that its vertical reference leaves.
-fn code(text: &str) -> Result<(&'static str, Option<DefinitionWarning>), ReferenceError> {
+/// Whether a definition is moved to WGS 84 without a turn or a scale: where surveyors have a shift of seven numbers, that is metres off.
+fn is_only_moved(definition: &str) -> bool {
+    let key = "+towgs84=";
+    let shift = definition.split_whitespace().find_map(|word| word.strip_prefix(key));
+    let numbers: Vec<f64> =
+        shift.unwrap_or_default().split(',').filter_map(|one| one.parse().ok()).collect();
+    let (moved, turned) = numbers.split_at(numbers.len().min(3));
+    moved.iter().any(|number| *number != 0.0) && turned.iter().all(|number| *number == 0.0)
+}
+
+/// The parameters of a code, and the doubts that its shift and its vertical reference leave.
+fn code(text: &str) -> Result<(&'static str, Vec<DefinitionWarning>), ReferenceError> {
     let (code, height) = epsg(text).ok_or(ReferenceError::Unrecognized)?;
     let known = code.parse::<u16>().ok().and_then(crs_definitions::from_code);
     let known = known.ok_or_else(|| ReferenceError::Code(shown(code)))?;
-    Ok((
-        known.proj4,
-        height.map(|height| DefinitionWarning::Height(format!("EPSG:{}", shown(height)))),
-    ))
+    let shift = is_only_moved(known.proj4).then(|| DefinitionWarning::Shift(shown(code)));
+    let height = height.map(|height| DefinitionWarning::Height(format!("EPSG:{}", shown(height))));
+    Ok((known.proj4, shift.into_iter().chain(height).collect()))
 }
 
 /// As much of a text as a message repeats.

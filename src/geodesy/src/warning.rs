@@ -12,6 +12,8 @@ pub enum DefinitionWarning {
     Datum,
     /// Datum, ellipsoid and shift contradict each other.
     Mixed,
+    /// The definition of a code has a shift to WGS 84 by three numbers, where others use a better one.
+    Shift(String),
     /// The height's reference is a geoid or a vertical datum.
     Height(String),
     /// Heights are said to have another unit than metres.
@@ -44,6 +46,10 @@ impl fmt::Display for DefinitionWarning {
             ),
             Self::Mixed => f.write_str(
                 "the georeference mixes datums: its datum contradicts its ellipsoid or towgs84; the latter two count",
+            ),
+            Self::Shift(code) => write!(
+                f,
+                "EPSG:{code} is shifted to WGS 84 by three numbers; by default PROJ takes a better shift where it has one: latitudes and longitudes may be ten metres off"
             ),
             Self::Height(name) => write!(
                 f,

@@ -166,7 +166,7 @@ fn meant<'a>(place: &EarthPlace, near: Lane<'a>) -> Result<Vec<Lane<'a>>, String
     let forward = near.is_forward();
     let driven = |lane: &Lane<'a>| {
         lane.lane_id() == near.lane_id()
-            || (LaneTypes::drivable().contains(lane.kind())
+            || (LaneTypes::routable().contains(lane.kind())
                 && lane.nodes().any(|node| node.is_forward() == forward))
     };
     let mut lanes: Vec<Lane<'a>> = near.section().lanes().filter(driven).collect();

@@ -299,7 +299,7 @@ pub(crate) fn region_of([x_min, y_min, x_max, y_max]: [f64; 4]) -> Region {
     Region { low: DVec2::new(x_min, y_min), high: DVec2::new(x_max, y_max) }
 }
 
-/// Lane types: `all`, `drivable`, or names as OpenDRIVE has them.
+/// Lane types: `all`, `drivable`, `routable`, or names as OpenDRIVE has them.
 pub(crate) fn types_of(what: &Bound<'_, PyAny>) -> PyResult<LaneTypes> {
     let names: Vec<String> = match what.cast::<PyString>() {
         Ok(one) => vec![one.to_string()],
@@ -307,22 +307,13 @@ pub(crate) fn types_of(what: &Bound<'_, PyAny>) -> PyResult<LaneTypes> {
     };
     let mut types = LaneTypes::NONE;
     for name in names {
-        match name.as_str() {
-            "all" => return Ok(LaneTypes::ALL),
-            "drivable" => {
-                let drivable = LaneType::ALL.iter().filter(|kind| kind.is_drivable());
-                types = drivable.fold(types, |types, kind| types.with(*kind));
-            }
-            other => match LaneType::from_name(other) {
-                LaneType::Unknown => {
-                    let known: Vec<_> = LaneType::ALL.iter().map(|kind| kind.name()).collect();
-                    return Err(PyValueError::new_err(format!(
-                        "expected \"all\", \"drivable\" or one of {known:?}, found {other:?}"
-                    )));
-                }
-                known => types = types.with(known),
-            },
-        }
+        let Some(meant) = LaneTypes::from_word(&name) else {
+            let known: Vec<_> = LaneType::ALL.iter().map(|kind| kind.name()).collect();
+            return Err(PyValueError::new_err(format!(
+                "expected \"all\", \"drivable\", \"routable\" or one of {known:?}, found {name:?}"
+            )));
+        };
+        types = types.union(meant);
     }
     Ok(types)
 }

@@ -103,7 +103,7 @@ impl Tracker {
         outline: Option<[f64; 4]>,
     ) -> PyResult<Self> {
         let options = Options {
-            types: types.map_or(Ok(LaneTypes::drivable()), types_of)?,
+            types: types.map_or(Ok(LaneTypes::routable()), types_of)?,
             z_tolerance,
             drive_deviation,
             none,

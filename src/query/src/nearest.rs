@@ -27,10 +27,37 @@ impl LaneTypes {
     /// No type.
     pub const NONE: Self = Self(0);
 
-    /// Types that motor vehicles other than those of emergency services may use where no access record says otherwise, as the lane
-    /// graph has it.
+    /// Types that are built for motor vehicles ([`LaneType::is_drivable`]), whoever may use them: borders, stop and restricted lanes too.
     pub fn drivable() -> Self {
+        LaneType::ALL
+            .iter()
+            .filter(|kind| kind.is_drivable())
+            .fold(Self::NONE, |set, kind| set.with(*kind))
+    }
+
+    /// Types that motor vehicles other than those of emergency services may use where no access record says otherwise: those that routes
+    /// lead over, as the lane graph has it.
+    pub fn routable() -> Self {
         Self::open_to_any(VehicleClass::MOTOR & !VehicleClass::Emergency.bit())
+    }
+
+    /// What a word stands for: `all`, `drivable`, `routable`, or a type as OpenDRIVE names it. None for any other word.
+    pub fn from_word(word: &str) -> Option<Self> {
+        match word {
+            "all" => Some(Self::ALL),
+            "drivable" => Some(Self::drivable()),
+            "routable" => Some(Self::routable()),
+            name => match LaneType::from_name(name) {
+                LaneType::Unknown => None,
+                kind => Some(Self::NONE.with(kind)),
+            },
+        }
+    }
+
+    /// The types of either set.
+    #[must_use]
+    pub const fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
     }
 
     /// Types that a class of vehicles may use where no access record says otherwise, as the lane graph has it. What records say of a

@@ -56,6 +56,8 @@ fn what_is_doubtful_is_found() {
         &[],
     );
     check("><geoReference>epsg:25832</geoReference>", (5e5, 5e6), Epsg, &[]);
+    // Its shift to WGS 84 has three numbers.
+    check("><geoReference>EPSG:5514</geoReference>", (-7e5, -1e6), Epsg, &["geo_reference"]);
     check(
         "><geoReference>+lat_0=49 +lon_0=8</geoReference>",
         (0.0, 0.0),

@@ -69,7 +69,7 @@ fn nearest_lanes_are_those_of_single_calls() {
         check(map, full, &default);
         let strict = NearestOptions {
             radius: 2.0,
-            types: LaneTypes::drivable(),
+            types: LaneTypes::routable(),
             z_tolerance: Some(4.0),
             heading_tolerance: Some(1.0),
             ..default

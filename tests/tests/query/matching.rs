@@ -334,7 +334,7 @@ fn priors_weigh_lanes() {
     );
     let car = MatchOptions { vehicle: Some(VehicleClass::PassengerCar), closed: 0.1, ..plain };
     assert!(share(&car, "1:0:2") < 0.2 * share(&car, "1:0:1"));
-    let drivable = MatchOptions { types: LaneTypes::drivable(), ..plain };
+    let drivable = MatchOptions { types: LaneTypes::routable(), ..plain };
     assert_eq!(share(&drivable, "1:0:2"), 0.0);
 }
 

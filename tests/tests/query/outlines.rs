@@ -132,7 +132,7 @@ fn shares_are_the_average_over_the_outline() {
 fn on_one_road(xy: [f64; 2], heading: f64, outline: VehicleOutline) -> BTreeMap<i32, f64> {
     let snapshot = maps::open(&carried("one_road.xodr"));
     let options = MatchOptions {
-        types: LaneTypes::drivable(),
+        types: LaneTypes::routable(),
         outline: Some(outline),
         none: 1e-9,
         ..MatchOptions::default()

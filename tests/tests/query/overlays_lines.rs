@@ -85,7 +85,7 @@ fn place(projector: &Projector, points: &[DVec2]) -> String {
 fn is_alone(map: Map<'_>, lane: &Lane<'_>) -> bool {
     let (low, high) = (lane.section().s_start(), lane.section().s_end());
     let options =
-        NearestOptions { radius: 0.0, types: LaneTypes::drivable(), ..NearestOptions::default() };
+        NearestOptions { radius: 0.0, types: LaneTypes::routable(), ..NearestOptions::default() };
     let mut near = Vec::new();
     [low + 0.5, 0.5 * (low + high), high - 0.5].iter().all(|s| {
         let point = lane.pose_at(*s, 0.0).expect("a place").position.truncate();
@@ -118,7 +118,7 @@ fn a_line_along_lanes_means_all_of_them() {
         let map = snapshot.map();
         let Ok(projector) = map.projector() else { continue };
         let is_way = |lane: &Lane<'_>| {
-            LaneTypes::drivable().contains(lane.kind())
+            LaneTypes::routable().contains(lane.kind())
                 && lane.nodes().next().is_some()
                 && !lane.is_bidirectional()
         };

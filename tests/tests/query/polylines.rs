@@ -119,7 +119,7 @@ fn check_overlaps(snapshot: &Snapshot, name: &str) -> usize {
         points.extend([0.0, 0.2, 0.4, 0.6].map(|far| at.position + around * far));
     }
     let all = NearestOptions { radius: 0.0, ..NearestOptions::default() };
-    let few = NearestOptions { types: LaneTypes::drivable(), ..all };
+    let few = NearestOptions { types: LaneTypes::routable(), ..all };
     let cars = NearestOptions { vehicle: Some(VehicleClass::PassengerCar), ..all };
     let ahead = NearestOptions { heading: Some(random.unit()), ..all };
     let variants = [("", all, false), ("drivable", few, false), ("cars", cars, false)];

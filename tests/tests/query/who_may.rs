@@ -15,7 +15,7 @@ const POINTS: usize = 300;
 /// How far lanes are looked for `[m]`.
 const RADIUS: f64 = 30.0;
 
-/// `LaneTypes::drivable` counted lanes that the lane graph closes to cars.
+/// The set of drivable lanes counted lanes that the lane graph closes to cars.
 #[test]
 fn lane_types_and_the_lane_graph_have_one_truth() {
     for vehicle in VehicleClass::ALL {
@@ -24,18 +24,25 @@ fn lane_types_and_the_lane_graph_have_one_truth() {
             assert_eq!(LaneTypes::open_to(*vehicle).contains(*kind), open, "{vehicle:?} {kind:?}");
         }
     }
-    let drivable = LaneTypes::drivable();
-    for (kind, is) in [
-        (LaneType::Driving, true),
-        (LaneType::Bus, true),
-        (LaneType::Border, false),
-        (LaneType::Stop, false),
-        (LaneType::Restricted, false),
-        (LaneType::Sidewalk, false),
-        (LaneType::Unknown, false),
+    let (drivable, routable) = (LaneTypes::drivable(), LaneTypes::routable());
+    for (kind, is_drivable, is_routable) in [
+        (LaneType::Driving, true, true),
+        (LaneType::Bus, true, true),
+        (LaneType::Border, true, false),
+        (LaneType::Stop, true, false),
+        (LaneType::Restricted, true, false),
+        (LaneType::Sidewalk, false, false),
+        (LaneType::Unknown, false, false),
     ] {
-        assert_eq!(drivable.contains(kind), is, "{kind:?}");
+        assert_eq!(drivable.contains(kind), is_drivable, "{kind:?}");
+        assert_eq!(routable.contains(kind), is_routable, "{kind:?}");
     }
+    for word in ["all", "drivable", "routable", "driving"] {
+        let set = LaneTypes::from_word(word);
+        assert!(set.is_some_and(|set| set.contains(LaneType::Driving)), "{word}");
+    }
+    assert_eq!(LaneTypes::from_word("drivable"), Some(drivable));
+    assert_eq!(LaneTypes::from_word("drive"), None);
 }
 
 #[test]

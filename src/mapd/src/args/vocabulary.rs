@@ -13,24 +13,17 @@ pub(crate) fn lane_types(names: &[String]) -> Result<LaneTypes> {
     }
     let mut set = LaneTypes::NONE;
     for name in names {
-        if name == "drivable" {
-            set = LaneType::ALL
-                .iter()
-                .filter(|kind| kind.is_drivable())
-                .fold(set, |set, kind| set.with(*kind));
-            continue;
-        }
-        match LaneType::from_name(name) {
-            LaneType::Unknown => {
-                let known: Vec<&str> = LaneType::ALL.iter().map(|kind| kind.name()).collect();
-                bail!(UsageError(format!(
-                    "unknown lane type {name:?}{}; known are drivable, {}",
-                    did_you_mean(name, known.iter().copied()),
-                    known.join(", ")
-                )));
-            }
-            kind => set = set.with(kind),
-        }
+        let Some(types) = LaneTypes::from_word(name) else {
+            let sets = ["all", "drivable", "routable"].into_iter();
+            let known: Vec<&str> =
+                sets.chain(LaneType::ALL.iter().map(|kind| kind.name())).collect();
+            bail!(UsageError(format!(
+                "unknown lane type {name:?}{}; known are {}",
+                did_you_mean(name, known.iter().copied()),
+                known.join(", ")
+            )));
+        };
+        set = set.union(types);
     }
     Ok(set)
 }

@@ -68,8 +68,8 @@ struct TraceArgs {
     /// Kind of vehicle, in the words of access/restriction
     #[arg(long, value_name = "CLASS", default_value = VehicleClass::PassengerCar.name(), value_parser = vehicle)]
     vehicle: VehicleClass,
-    /// Lane types to consider, separated by commas, or `drivable`
-    #[arg(long, value_name = "TYPES", value_delimiter = ',', default_value = "drivable")]
+    /// Lane types to consider, separated by commas, `drivable` or `routable`
+    #[arg(long, value_name = "TYPES", value_delimiter = ',', default_value = "routable")]
     types: Vec<String>,
 }
 

@@ -63,7 +63,7 @@ impl<'a> Walk<'a> {
     pub(super) fn new(map: Map<'a>, tolerance: f64) -> Self {
         let options = NearestOptions {
             radius: tolerance,
-            types: LaneTypes::drivable(),
+            types: LaneTypes::routable(),
             heading_tolerance: Some(HEADING_TOLERANCE),
             ..NearestOptions::default()
         };

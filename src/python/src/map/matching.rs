@@ -77,7 +77,7 @@ impl Map {
             heading_deviation,
             vehicle: vehicle_of(vehicle)?,
             change_interval,
-            types: types.map_or(Ok(LaneTypes::drivable()), types_of)?,
+            types: types.map_or(Ok(LaneTypes::routable()), types_of)?,
         };
         crate::matching::match_trace(py, &self.0, time, points, heading, &options, out)
     }

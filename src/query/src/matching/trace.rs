@@ -76,7 +76,7 @@ impl Default for TraceOptions {
             heading_deviation: 0.1,
             vehicle: VehicleClass::PassengerCar,
             change_interval: 30.0,
-            types: LaneTypes::drivable(),
+            types: LaneTypes::routable(),
         }
     }
 }

@@ -72,7 +72,7 @@ pub struct TrackerOptions<'a> {
 
 impl Default for TrackerOptions<'_> {
     fn default() -> Self {
-        let types = LaneTypes::drivable();
+        let types = LaneTypes::routable();
         Self {
             matching: MatchOptions { types, ..MatchOptions::default() },
             change_interval: 30.0,

@@ -29,7 +29,7 @@ pub(crate) struct QueryCommand {
     /// nearest: largest distance from a lane's area [m]; nearest-marks: from a mark [m] [default: 10; nearest-marks: 5]
     #[arg(long, value_name = "M", value_parser = not_negative)]
     radius: Option<f64>,
-    /// nearest, match, nearest-marks: lane types to consider, separated by commas, or `drivable` [default: all]
+    /// nearest, match, nearest-marks: lane types to consider, separated by commas, `drivable` or `routable` [default: all]
     #[arg(long, value_name = "TYPES", value_delimiter = ',')]
     types: Vec<String>,
     /// nearest, match: largest difference in z [m], if the input has z
