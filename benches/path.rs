@@ -170,10 +170,11 @@ fn measure(name: &str, map: Map<'_>) {
         ns(build, metres as usize)
     ));
     segments(name, map, &path, &mut scratch);
-    let (mut conflicts, mut facts, mut speeds) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut conflicts, mut met) = (Vec::new(), Vec::new());
+    let (mut facts, mut speeds) = (Vec::new(), Vec::new());
     print(&format!(
         "along it, {name}: conflicts {}, facts {}, speeds {}",
-        us(best(ROUNDS, || path.conflicts(&mut conflicts))),
+        us(best(ROUNDS, || path.conflicts(&mut conflicts, &mut met))),
         us(best(ROUNDS, || path.facts(&mut facts))),
         us(best(ROUNDS, || path.speeds(&mut speeds)))
     ));

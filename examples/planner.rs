@@ -7,8 +7,8 @@ use anyhow::{Context, Result, bail};
 use mapd_client::glam::{DMat3, DVec2, DVec3};
 use mapd_client::localisation::{LaneMatch, MatchOptions, VehiclePose};
 use mapd_client::path::{
-    Corridor, Path, PathBuffer, PathChange, PathChangeKind, PathConflict, PathFact, PathFactKind,
-    PathOptions, PathSegment, Yields,
+    ConflictLane, Corridor, Path, PathBuffer, PathChange, PathChangeKind, PathConflict, PathFact,
+    PathFactKind, PathOptions, PathSegment, Yields,
 };
 use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestTime};
 use mapd_client::vocabulary::VehicleClass;
@@ -37,6 +37,7 @@ struct Buffers {
     facts: Vec<PathFact>,
     segments: Vec<PathSegment>,
     conflicts: Vec<PathConflict>,
+    met: Vec<ConflictLane>,
 }
 
 fn main() -> Result<()> {
@@ -111,7 +112,7 @@ fn find_again(old: Map<'_>, new: Map<'_>, buffers: &mut Buffers) -> Result<bool>
 
 /// What a planner asks in each cycle.
 fn look_along(map: Map<'_>, here: DVec2, buffers: &mut Buffers) -> Result<()> {
-    let Buffers { steps, path, room, facts, segments, conflicts, .. } = buffers;
+    let Buffers { steps, path, room, facts, segments, conflicts, met, .. } = buffers;
     let path = map.path(steps, &PathOptions::default(), path)?;
     let mut out = std::io::stdout().lock();
     let time = path.travel_time([0.0, path.length()])?.time;
@@ -141,7 +142,7 @@ fn look_along(map: Map<'_>, here: DVec2, buffers: &mut Buffers) -> Result<()> {
         writeln!(out, "lane {key}: {} changes left, the next until S = {last:.1} m", lane.changes)?;
     }
 
-    path.conflicts(conflicts);
+    path.conflicts(conflicts, met);
     for one in conflicts.iter().filter(|one| one.yields != Yields::Priority) {
         let other = map.lane(one.other)?.key();
         let (who, wait) = (one.yields.name(), one.wait);

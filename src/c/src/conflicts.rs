@@ -3,13 +3,15 @@
 use crate::code::{Failure, answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::mapd_lane_id;
-use crate::list::{List, get, get_mut, put_raw};
+use crate::list::{List, entries, get_mut, put_raw};
 use crate::movement::{basis_code, rules_of};
 use crate::path::{mapd_path, path_of};
 use crate::scratch::mapd_scratch;
 use crate::signals_ahead::{lane_line, mapd_lane_line_at};
 use crate::snapshot::{map_of, mapd_snapshot};
-use mapd_client::path::{ConflictApproach, PathConflict, PathCrossing, Yields};
+use mapd_client::path::{
+    ConflictApproach, ConflictLane, PathConflict, PathCrossing, Yields, YieldsBy,
+};
 use mapd_client::vocabulary::{ConflictKind, Relation, RelationReason};
 use std::ffi::c_char;
 
@@ -22,10 +24,39 @@ pub const MAPD_YIELDS_LIGHTS: u8 = 2;
 /// `yields` of a conflict: the file does not say. A rule of the road may; the reason names it.
 pub const MAPD_YIELDS_UNKNOWN: u8 = 3;
 
-/// A place where the traffic of another lane meets a path.
+/// A place where the traffic of other lanes meets a path: of one lane, or of several that lead into each other.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct mapd_path_conflict {
+    /// S of the first common place \[m\], as of `mapd_conflict_lane`.
+    pub along_from: f64,
+    /// S of the last common place \[m\].
+    pub along_to: f64,
+    /// The other lane, of several the one that meets the path first.
+    pub other: mapd_lane_id,
+    /// The smaller s of the common place on its road \[m\].
+    pub other_s_from: f64,
+    /// The larger s of the common place on its road \[m\].
+    pub other_s_to: f64,
+    /// S at which to wait \[m\]: the earliest of its lanes.
+    pub wait: f64,
+    /// Number of its first lane in the list of lanes.
+    pub lanes_from: u32,
+    /// Number of the one behind its last lane.
+    pub lanes_to: u32,
+    /// How they meet, a `MAPD_CONFLICT_KIND_…`: merging where one lane merges, else crossing where one crosses.
+    pub kind: u8,
+    /// Who goes first, by what the file says, a `MAPD_YIELDS_…`: `MAPD_YIELDS_YIELDS` where the path yields to one lane, else `MAPD_YIELDS_UNKNOWN` where the file does not
+    /// say of one, else `MAPD_YIELDS_LIGHTS` where they decide about one.
+    pub yields: u8,
+    /// Why, a `MAPD_RELATION_REASON_…`: of the first lane of which that is said.
+    pub reason: u8,
+}
+
+/// A lane whose traffic meets a path.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct mapd_conflict_lane {
     /// S of the first common place \[m\]; too early by up to half a metre.
     pub along_from: f64,
     /// S of the last common place \[m\]; too late by up to half a metre.
@@ -99,6 +130,26 @@ fn yields_code(yields: Yields) -> u8 {
 impl From<&PathConflict> for mapd_path_conflict {
     fn from(one: &PathConflict) -> Self {
         let ([along_from, along_to], [other_s_from, other_s_to]) = (one.along, one.other_s);
+        let [lanes_from, lanes_to] = one.lanes;
+        Self {
+            along_from,
+            along_to,
+            other: one.other.into(),
+            other_s_from,
+            other_s_to,
+            wait: one.wait,
+            lanes_from,
+            lanes_to,
+            kind: one.kind.code(),
+            yields: yields_code(one.yields),
+            reason: one.reason.code(),
+        }
+    }
+}
+
+impl From<&ConflictLane> for mapd_conflict_lane {
+    fn from(one: &ConflictLane) -> Self {
+        let ([along_from, along_to], [other_s_from, other_s_to]) = (one.along, one.other_s);
         Self {
             along_from,
             along_to,
@@ -115,24 +166,28 @@ impl From<&PathConflict> for mapd_path_conflict {
     }
 }
 
-impl From<&mapd_path_conflict> for PathConflict {
-    fn from(one: &mapd_path_conflict) -> Self {
+impl From<&mapd_conflict_lane> for ConflictLane {
+    fn from(one: &mapd_conflict_lane) -> Self {
         Self {
             along: [one.along_from, one.along_to],
             other: one.other.into(),
             other_s: [one.other_s_from, one.other_s_to],
             kind: ConflictKind::from_code(one.kind),
-            yields: match one.yields {
-                MAPD_YIELDS_YIELDS => Yields::Yields,
-                MAPD_YIELDS_PRIORITY => Yields::Priority,
-                MAPD_YIELDS_LIGHTS => Yields::Lights,
-                _ => Yields::Unknown,
-            },
+            yields: yields_of(one.yields),
             reason: RelationReason::from_code(one.reason),
             relation: Relation::from_code(one.relation),
             equal_roads: one.equal_roads != 0,
             wait: one.wait,
         }
+    }
+}
+
+fn yields_of(code: u8) -> Yields {
+    match code {
+        MAPD_YIELDS_YIELDS => Yields::Yields,
+        MAPD_YIELDS_PRIORITY => Yields::Priority,
+        MAPD_YIELDS_LIGHTS => Yields::Lights,
+        _ => Yields::Unknown,
     }
 }
 
@@ -153,7 +208,10 @@ impl From<&PathCrossing> for mapd_path_crossing {
 }
 
 /// Where other traffic meets the path, in ascending S: on lanes of junctions and others that the map knows to conflict, where lanes merge into
-/// one, and on roads that lie at the same place. What the path itself drives just before or behind is left out.
+/// one, and on roads that lie at the same place. What the path itself drives just before or behind is left out. Lanes that lead into each other are one conflict where what
+/// they have in common with the path touches; `lanes` gets all lanes, those of a conflict behind each other, and `lane_count` their number.
+///
+/// Errors: `MAPD_CODE_TOO_SMALL` where either list is.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_path_conflicts(
     path: *const mapd_path,
@@ -161,23 +219,30 @@ pub unsafe extern "C" fn mapd_path_conflicts(
     out: *mut mapd_path_conflict,
     capacity: usize,
     count: *mut usize,
+    lanes: *mut mapd_conflict_lane,
+    lane_capacity: usize,
+    lane_count: *mut usize,
     error: *mut mapd_error,
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let conflicts = &mut get_mut(scratch, "a scratch")?.conflicts;
-            path_of(path)?.conflicts(conflicts);
-            List { out, capacity, count }.write(conflicts.iter().map(Into::into))
+            let mapd_scratch { conflicts, conflict_lanes, .. } = get_mut(scratch, "a scratch")?;
+            path_of(path)?.conflicts(conflicts, conflict_lanes);
+            let of_lanes = List { out: lanes, capacity: lane_capacity, count: lane_count };
+            let fits = of_lanes.write(conflict_lanes.iter().map(Into::into))?;
+            let own = List { out, capacity, count }.write(conflicts.iter().map(Into::into))?;
+            Ok(if own == mapd_code::OK { fits } else { own })
         })
     }
 }
 
 /// Who goes first at a conflict by what the file says, else by the rules of a country, by its two letters of ISO 3166-1 such as `DE`. That they hold
-/// there is for the caller to know. `yields` gets a `MAPD_YIELDS_…`, `basis` what that rests on, a `MAPD_BASIS_…`; null is fine. `MAPD_CODE_NONE`
+/// there is for the caller to know. `lanes` are those of the conflict, from its `lanes_from` to its `lanes_to`: who yields to one yields. `yields` gets a `MAPD_YIELDS_…`, `basis` what that rests on, a `MAPD_BASIS_…`; null is fine. `MAPD_CODE_NONE`
 /// for a country whose rules are not known.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_path_conflict_yields_by(
-    conflict: *const mapd_path_conflict,
+    lanes: *const mapd_conflict_lane,
+    lane_count: usize,
     country: *const c_char,
     yields: *mut u8,
     basis: *mut u8,
@@ -185,9 +250,9 @@ pub unsafe extern "C" fn mapd_path_conflict_yields_by(
 ) -> mapd_code {
     unsafe {
         answer(error, || {
-            let conflict = PathConflict::from(get(conflict, "a conflict")?);
+            let lanes = entries(lanes, lane_count, "the conflict's lanes")?;
             let Some(rules) = rules_of(country)? else { return Ok(mapd_code::NONE) };
-            let found = conflict.yields_by(rules);
+            let found = YieldsBy::of(lanes.iter().map(Into::into), rules);
             put_raw(yields, yields_code(found.yields))?;
             put_raw(basis, basis_code(found.basis))?;
             Ok(mapd_code::OK)
@@ -195,15 +260,16 @@ pub unsafe extern "C" fn mapd_path_conflict_yields_by(
     }
 }
 
-/// The lanes on which traffic comes to a conflict of a path, back to a distance \[m\] from its first place on the other lane, each by the shortest way,
-/// nearest first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle`, a `MAPD_VEHICLE_CLASS_…`, is the class of who comes, not of
-/// who drives the path: lanes that are closed to it bring none, the other lane neither.
+/// The lanes on which traffic comes to a conflict of a path, back to a distance \[m\] from its first place on the other lanes, each by the shortest way,
+/// nearest first. `lanes` are those of the conflict, from its `lanes_from` to its `lanes_to`; those come first that none of the others leads to. Changes of lane are not among
+/// the ways. `vehicle`, a `MAPD_VEHICLE_CLASS_…`, is the class of who comes, not of who drives the path: lanes that are closed to it bring none, the other lanes neither.
 ///
 /// Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mapd_conflict_approaches(
     snapshot: *const mapd_snapshot,
-    conflict: *const mapd_path_conflict,
+    lanes: *const mapd_conflict_lane,
+    lane_count: usize,
     distance: f64,
     vehicle: u8,
     scratch: *mut mapd_scratch,
@@ -215,13 +281,15 @@ pub unsafe extern "C" fn mapd_conflict_approaches(
     unsafe {
         answer(error, || {
             let (map, vehicle) = (map_of(snapshot)?, vehicle_of(vehicle)?);
-            let given = get(conflict, "a conflict")?;
-            if !(given.other_s_from.is_finite() && given.other_s_to.is_finite()) {
+            let given = entries(lanes, lane_count, "the conflict's lanes")?;
+            if !given.iter().all(|own| own.other_s_from.is_finite() && own.other_s_to.is_finite()) {
                 return Err(Failure::from(mapd_client::QueryError::NotFinite));
             }
-            let found = &mut get_mut(scratch, "a scratch")?.approaches;
-            map.approaches(&given.into(), distance, vehicle, found)?;
-            List { out, capacity, count }.write(found.iter().map(Into::into))
+            let mapd_scratch { approaches, conflict_lanes, .. } = get_mut(scratch, "a scratch")?;
+            conflict_lanes.clear();
+            conflict_lanes.extend(given.iter().map(ConflictLane::from));
+            map.approaches(conflict_lanes, distance, vehicle, approaches)?;
+            List { out, capacity, count }.write(approaches.iter().map(Into::into))
         })
     }
 }

@@ -10,8 +10,8 @@ use mapd_client::localisation::{
 };
 use mapd_client::objects::{NearObject, PlacementId};
 use mapd_client::path::{
-    ConflictApproach, Corridor, PathChange, PathConflict, PathCrossing, PathFact, PathSegment,
-    PathSpeed,
+    ConflictApproach, ConflictLane, Corridor, PathChange, PathConflict, PathCrossing, PathFact,
+    PathSegment, PathSpeed,
 };
 use mapd_client::roads::{BoundarySegment, RoadMarkSegment};
 use mapd_client::route::{
@@ -52,6 +52,7 @@ pub struct mapd_scratch {
     pub(crate) corridor: Corridor,
     pub(crate) outline: Vec<DVec2>,
     pub(crate) conflicts: Vec<PathConflict>,
+    pub(crate) conflict_lanes: Vec<ConflictLane>,
     pub(crate) approaches: Vec<ConflictApproach>,
     pub(crate) crossings: Vec<PathCrossing>,
     pub(crate) facts: Vec<PathFact>,

@@ -167,6 +167,13 @@ fn a_route_routes_and_what_is_reached() {
                 "out: *mut mapd_reached_piece, {list}, links: *mut mapd_reach_link, link_capacity: usize, link_count: *mut usize"
             ),
         ),
+        (
+            "PathConflicts",
+            "conflicts<PathConflicts>",
+            format!(
+                "out: *mut mapd_path_conflict, {list}, lanes: *mut mapd_conflict_lane, lane_capacity: usize, lane_count: *mut usize"
+            ),
+        ),
     ];
     for (result, ask, answers) in forms {
         wraps(

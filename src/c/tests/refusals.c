@@ -177,6 +177,8 @@ int main(int argc, char **argv) {
   mapd_path_position foot;
   mapd_corridor_station station;
   mapd_path_conflict conflict;
+  mapd_conflict_lane met;
+  size_t met_count;
   const double places_along[] = {0.5, NAN};
   const mapd_vec2 nan_place = {NAN, 0.0};
   steps[0].enter = MAPD_ENTER_START;
@@ -197,8 +199,8 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_TOO_SMALL, mapd_path_corridor(path, 0.0, 1e9, 0.5, 0, scratch, &station, 1, &count, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_path_corridor(path, 0.0, 1.0, 0.5, 200, scratch, &station, 1, &count, &error));
   EXPECT(MAPD_CODE_TOO_SMALL, mapd_path_corridor(path, 0.0, 1.0, 0.5, 0, scratch, &station, 1, &count, &error));
-  EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_conflicts(path, NULL, &conflict, 1, &count, &error));
-  EXPECT(MAPD_CODE_OK, mapd_path_conflicts(path, scratch, &conflict, 1, &count, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_conflicts(path, NULL, &conflict, 1, &count, &met, 1, &met_count, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_conflicts(path, scratch, &conflict, 1, &count, &met, 1, &met_count, &error));
   mapd_path_close(&path);
   EXPECT(MAPD_CODE_NULL_POINTER, mapd_path_length(path, &number, &error));
 
@@ -232,13 +234,15 @@ int main(int argc, char **argv) {
   EXPECT(MAPD_CODE_ARGUMENT, mapd_path_steps_between(path, steps, 0, 0.25, 0.5, scratch, part, 64, &count, &error));
   EXPECT(MAPD_CODE_NULL_POINTER,
          mapd_path_rebase(path, NULL, by_length, scratch, &sum, part, 64, &count, &change, 1, &length, &error));
-  const mapd_path_conflict nan_conflict = {0.0, 1.0, hit.lane, NAN, 1.0, 0.0, 0, 0, 0, 0, 0};
+  const mapd_conflict_lane nan_lane = {0.0, 1.0, hit.lane, NAN, 1.0, 0.0, 0, 0, 0, 0, 0};
   mapd_conflict_approach approach;
   uint8_t who;
   EXPECT(MAPD_CODE_NOT_FINITE,
-         mapd_conflict_approaches(map, &nan_conflict, 10.0, 0, scratch, &approach, 1, &count, &error));
-  EXPECT(MAPD_CODE_NONE, mapd_path_conflict_yields_by(&nan_conflict, "XX", &who, NULL, &error));
-  EXPECT(MAPD_CODE_OK, mapd_path_conflict_yields_by(&nan_conflict, "de", &who, NULL, &error));
+         mapd_conflict_approaches(map, &nan_lane, 1, 10.0, 0, scratch, &approach, 1, &count, &error));
+  EXPECT(MAPD_CODE_NULL_POINTER,
+         mapd_conflict_approaches(map, NULL, 1, 10.0, 0, scratch, &approach, 1, &count, &error));
+  EXPECT(MAPD_CODE_NONE, mapd_path_conflict_yields_by(&nan_lane, 1, "XX", &who, NULL, &error));
+  EXPECT(MAPD_CODE_OK, mapd_path_conflict_yields_by(&nan_lane, 1, "de", &who, NULL, &error));
   EXPECT(MAPD_CODE_ARGUMENT, mapd_corridor_outline(&station, 1, 9, scratch, NULL, 0, &count, NULL, &error));
 
   /* What is laid over the map. */

@@ -11,12 +11,12 @@ use crate::signal::Signal;
 use mapd_client::QueryError;
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::path::{
-    Corridor, CorridorEdges, EdgeKind, EdgeMark, Path, PathChange, PathChangeKind, PathConflict,
-    PathFact, PathFactKind,
+    ConflictLane, Corridor, CorridorEdges, EdgeKind, EdgeMark, Path, PathChange, PathChangeKind,
+    PathConflict, PathFact, PathFactKind, YieldsBy,
 };
 use mapd_client::route::{RouteScratch, RouteStep};
 use mapd_client::rules::{LaneLine, LineSource, Turn};
-use mapd_client::vocabulary::{ConflictKind, Relation, RelationReason, VehicleClass};
+use mapd_client::vocabulary::{ConflictKind, Relation, RelationReason, RoadRules, VehicleClass};
 use numpy::IntoPyArray;
 use numpy::ndarray::Array2;
 use pyo3::exceptions::PyValueError;
@@ -373,7 +373,57 @@ pub(crate) fn outline<'py>(
     Ok((array.into_pyarray(py).into_any(), is_simple))
 }
 
-/// The lanes that lead to where another lane meets a path; what Python has of a conflict names that.
+/// Conflicts of a path, with the lanes of each, as the file or a country's rules say who yields.
+pub(crate) fn conflicts<'py>(
+    py: Python<'py>,
+    held: &Arc<Held>,
+    found: &[PathConflict],
+    lanes: &[ConflictLane],
+    rules: Option<&RoadRules>,
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let lane = |lane: &ConflictLane| {
+        let said = YieldsBy { yields: lane.yields, basis: lane.basis() };
+        let YieldsBy { yields, basis } = rules.map_or(said, |rules| lane.yields_by(rules));
+        let fields = fields!(
+            py,
+            start = lane.along[0],
+            end = lane.along[1],
+            other = Lane::new(held, lane.other.row()),
+            other_start = lane.other_s[0],
+            other_end = lane.other_s[1],
+            kind = lane.kind.name(),
+            yields = yields.name(),
+            reason = lane.reason.name(),
+            basis = basis.name(),
+            wait = lane.wait,
+        );
+        result(py, "ConflictLane", &fields)
+    };
+    let one = |conflict: &PathConflict| {
+        let said = YieldsBy { yields: conflict.yields, basis: conflict.basis() };
+        let YieldsBy { yields, basis } =
+            rules.map_or(said, |rules| conflict.yields_by(lanes, rules));
+        let own = conflict.lanes_of(lanes).iter().map(lane).collect::<PyResult<Vec<_>>>()?;
+        let fields = fields!(
+            py,
+            start = conflict.along[0],
+            end = conflict.along[1],
+            other = Lane::new(held, conflict.other.row()),
+            other_start = conflict.other_s[0],
+            other_end = conflict.other_s[1],
+            kind = conflict.kind.name(),
+            yields = yields.name(),
+            reason = conflict.reason.name(),
+            basis = basis.name(),
+            wait = conflict.wait,
+            lanes = own,
+        );
+        result(py, "PathConflict", &fields)
+    };
+    found.iter().map(one).collect()
+}
+
+/// The lanes that lead to where other lanes meet a path; what Python has of a conflict names those.
 pub(crate) fn approaches<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
@@ -382,21 +432,25 @@ pub(crate) fn approaches<'py>(
     vehicle: VehicleClass,
 ) -> PyResult<Bound<'py, PyAny>> {
     let map = held.map();
-    let number = |name: &str| -> PyResult<f64> { conflict.getattr(name)?.extract() };
-    // Which other lane, and where, is all that counts.
-    let conflict = PathConflict {
-        along: [0.0; 2],
-        other: crate::input::lane_of(map, &conflict.getattr("other")?)?.lane_id(),
-        other_s: [number("other_start")?, number("other_end")?],
-        kind: ConflictKind::Unknown,
-        yields: mapd_client::path::Yields::Unknown,
-        reason: RelationReason::Unknown,
-        relation: Relation::Unknown,
-        equal_roads: false,
-        wait: 0.0,
+    // Which other lanes, and where, is all that counts.
+    let lane = |lane: Bound<'py, PyAny>| {
+        let number = |name: &str| -> PyResult<f64> { lane.getattr(name)?.extract() };
+        Ok(ConflictLane {
+            along: [0.0; 2],
+            other: crate::input::lane_of(map, &lane.getattr("other")?)?.lane_id(),
+            other_s: [number("other_start")?, number("other_end")?],
+            kind: ConflictKind::Unknown,
+            yields: mapd_client::path::Yields::Unknown,
+            reason: RelationReason::Unknown,
+            relation: Relation::Unknown,
+            equal_roads: false,
+            wait: 0.0,
+        })
     };
+    let lanes = conflict.getattr("lanes")?.try_iter()?;
+    let lanes = lanes.map(|own| lane(own?)).collect::<PyResult<Vec<_>>>()?;
     let mut found = Vec::new();
-    py.detach(|| map.approaches(&conflict, distance, vehicle, &mut found)).map_err(query)?;
+    py.detach(|| map.approaches(&lanes, distance, vehicle, &mut found)).map_err(query)?;
     let content = content(map);
     let numbers = |of: fn(&mapd_client::path::ConflictApproach) -> f64| {
         Column::Numbers(found.iter().map(of).collect())

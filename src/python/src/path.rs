@@ -7,7 +7,7 @@ use crate::input::{Rows, finite, lane_of, one_point, rules_of, vehicle_of};
 use crate::lane::Lane;
 use crate::room::{Column, Room};
 use mapd_client::QueryError;
-use mapd_client::path::{PathBuffer, PathConflict, PathOptions, PathPoint, PathPosition, YieldsBy};
+use mapd_client::path::{PathBuffer, PathOptions, PathPoint, PathPosition};
 use mapd_client::route::{Enter, PositionOnLane, RouteStep};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -372,29 +372,9 @@ impl Path {
         country: Option<&str>,
     ) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let rules = rules_of(country)?;
-        let mut found = Vec::new();
-        self.path().map_err(query)?.conflicts(&mut found);
-        let one = |conflict: &PathConflict| {
-            let YieldsBy { yields, basis } = match rules {
-                Some(rules) => conflict.yields_by(rules),
-                None => YieldsBy { yields: conflict.yields, basis: conflict.basis() },
-            };
-            let fields = fields!(
-                py,
-                start = conflict.along[0],
-                end = conflict.along[1],
-                other = self.lane(conflict.other),
-                other_start = conflict.other_s[0],
-                other_end = conflict.other_s[1],
-                kind = conflict.kind.name(),
-                yields = yields.name(),
-                reason = conflict.reason.name(),
-                basis = basis.name(),
-                wait = conflict.wait,
-            );
-            result(py, "PathConflict", &fields)
-        };
-        found.iter().map(one).collect()
+        let (mut found, mut lanes) = (Vec::new(), Vec::new());
+        self.path().map_err(query)?.conflicts(&mut found, &mut lanes);
+        crate::along::conflicts(py, &self.held, &found, &lanes, rules)
     }
 
     fn _repr_html_<'py>(this: Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

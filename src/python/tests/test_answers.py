@@ -361,7 +361,9 @@ def test_path(asked: Asked) -> None:
         answer.append(len(conflicts))
         for one in conflicts:
             answer += [bits(one.start), bits(one.end), one.other.id, bits(one.other_start), bits(one.other_end)]
-            answer += [bits(one.wait), text(one.kind), text(one.yields), text(one.reason)]
+            answer += [bits(one.wait), text(one.kind), text(one.yields), text(one.reason), len(one.lanes)]
+            for lane in one.lanes:
+                answer += [lane.other.id, bits(lane.start), bits(lane.end)]
         assert answer == question.answer
 
 

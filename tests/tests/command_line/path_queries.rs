@@ -69,8 +69,7 @@ fn points_are_projected_on_a_path() {
 fn conflicts_and_speeds_have_their_columns() {
     let input = format!("{ROUTE}\n1,2,-1,1,12,-1\n");
     let found = rows(&query("one_road.xodr", &["conflicts"], &input));
-    let columns =
-        "S_from,S_to,other_lane,other_s_from,other_s_to,kind,yields,reason,wait_S,basis,error";
+    let columns = "S_from,S_to,other_lane,other_s_from,other_s_to,kind,yields,reason,wait_S,basis,other_lanes,error";
     assert_eq!(
         found,
         [format!("{ROUTE},{columns}").split(',').map(str::to_owned).collect::<Vec<_>>()]

@@ -61,7 +61,8 @@ fn paths_do_not_allocate_after_the_first_call() {
     let (mut scratch, mut steps, mut buffer) =
         (RouteScratch::default(), Vec::new(), PathBuffer::default());
     let mut feet = PathPositions::default();
-    let (mut room, mut conflicts, mut places) = (Corridor::default(), Vec::new(), Vec::new());
+    let (mut room, mut places) = (Corridor::default(), Vec::new());
+    let (mut conflicts, mut met) = (Vec::new(), Vec::new());
     let (mut segments, mut facts, mut speeds, mut part) =
         (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut ring, mut other) = (Vec::new(), PathBuffer::default());
@@ -91,11 +92,12 @@ fn paths_do_not_allocate_after_the_first_call() {
             room.outline(CorridorEdges::Open, &mut ring);
             let curved = map.path(&steps, &lateral, &mut other).expect("a path");
             seen += curved.joints().len();
-            path.conflicts(&mut conflicts);
+            path.conflicts(&mut conflicts, &mut met);
             path.crossings(&mut crossings);
             seen += crossings.len();
             for conflict in &conflicts {
-                map.approaches(conflict, 100.0, car, &mut approaches).expect("lanes");
+                map.approaches(conflict.lanes_of(&met), 100.0, car, &mut approaches)
+                    .expect("lanes");
                 seen += approaches.len();
             }
             path.segments(car, &mut segments);
@@ -129,11 +131,12 @@ fn overlaps_and_merges_do_not_allocate_after_the_first_call() {
     let map = snapshot.map();
     let id = |key: &str| map.lane_by_key(&key.parse().expect("a key")).expect("a lane").lane_id();
     let lanes = [id("1:0:-1"), id("2:0:-1")];
-    let (mut steps, mut buffer, mut found) = (Vec::new(), PathBuffer::default(), Vec::new());
+    let (mut steps, mut buffer) = (Vec::new(), PathBuffer::default());
+    let (mut together, mut found) = (Vec::new(), Vec::new());
     let mut round = || {
         steps_of_lanes(map, &lanes, [5.0, 40.0], &mut steps).expect("steps");
         let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
-        path.conflicts(&mut found);
+        path.conflicts(&mut together, &mut found);
         let of = |kind: ConflictKind| found.iter().filter(|one| one.kind == kind).count();
         [of(ConflictKind::Overlap), of(ConflictKind::Merge)]
     };

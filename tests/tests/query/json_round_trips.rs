@@ -339,6 +339,7 @@ fn all_that_can_be_read_is_read_as_it_was_written() {
         Bounds,
         Clamped,
         ClassSet,
+        ConflictLane,
         ConnectedLanes,
         ControllerId,
         Corridor,

@@ -297,8 +297,8 @@ fn who_yields_by_rule_is_for_the_caller_to_say() {
     let snapshot = open_text(&crossroads(Default::default(), "", ""));
     let map = snapshot.map();
     along(map, ("0:0:1", 70.0), ("2:0:-1", 70.0), |path| {
-        let mut found = Vec::new();
-        path.conflicts(&mut found);
+        let (mut together, mut found) = (Vec::new(), Vec::new());
+        path.conflicts(&mut together, &mut found);
         assert!(
             found.iter().all(|one| one.yields == Yields::Unknown && one.equal_roads),
             "{found:?}"

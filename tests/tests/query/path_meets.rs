@@ -3,14 +3,16 @@
 use crate::paths::each_path;
 use mapd_client::vocabulary::{Class, ConflictKind, RelationReason, VehicleClass};
 use mapd_client::{Lane, Map, NearestOptions};
-use mapd_query::path::{PathBuffer, PathConflict, PathOptions, Yields, YieldsBy, steps_of_lanes};
+use mapd_query::path::{
+    ConflictApproach, ConflictLane, PathBuffer, PathOptions, Yields, YieldsBy, steps_of_lanes,
+};
 use mapd_query::rules::Basis;
 use mapd_query::vocabulary::RoadRules;
 use mapd_tests::crossroads::{ARMS, crossroads, furnished, signal};
 use mapd_tests::graph_maps::{Line, document, lane, link, road, section, side_road, wide};
 use mapd_tests::maps::open_text;
 use std::cell::Cell;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 const CAR: VehicleClass = VehicleClass::PassengerCar;
 /// How far back lanes are followed `[m]`.
@@ -21,13 +23,14 @@ pub(crate) fn lane_by<'a>(map: Map<'a>, key: &str) -> Lane<'a> {
 }
 
 /// What meets the path over a lane from s to s.
-fn meets(map: Map<'_>, keys: &[&str], ends: [f64; 2]) -> Vec<PathConflict> {
+fn meets(map: Map<'_>, keys: &[&str], ends: [f64; 2]) -> Vec<ConflictLane> {
     let lanes: Vec<_> = keys.iter().map(|key| lane_by(map, key).lane_id()).collect();
-    let (mut steps, mut buffer, mut found) = (Vec::new(), PathBuffer::default(), Vec::new());
+    let (mut steps, mut buffer) = (Vec::new(), PathBuffer::default());
+    let (mut found, mut lanes_met) = (Vec::new(), Vec::new());
     steps_of_lanes(map, &lanes, ends, &mut steps).expect("steps");
     let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
-    path.conflicts(&mut found);
-    found
+    path.conflicts(&mut found, &mut lanes_met);
+    lanes_met
 }
 
 /// Two roads that cross at x = 50 m without a junction, one as high above the other as told.
@@ -53,6 +56,55 @@ fn a_road_at_the_same_place_is_met_on_the_same_level() {
             assert!(from > 36.0 && from < 42.5 && to > 41.0 && to < 48.0, "{own:?}");
             assert_eq!(own.wait, from);
         }
+    }
+}
+
+/// Conflicts of the path over lanes from s to s: keys of the lanes of each.
+fn together(map: Map<'_>, keys: &[&str], ends: [f64; 2]) -> Vec<String> {
+    let lanes: Vec<_> = keys.iter().map(|key| lane_by(map, key).lane_id()).collect();
+    let (mut steps, mut buffer) = (Vec::new(), PathBuffer::default());
+    let (mut found, mut met) = (Vec::new(), Vec::new());
+    steps_of_lanes(map, &lanes, ends, &mut steps).expect("steps");
+    let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+    path.conflicts(&mut found, &mut met);
+    let key = |one: &ConflictLane| map.lane(one.other).expect("a lane").key().to_string();
+    let keys = |lanes: &[ConflictLane]| lanes.iter().map(key).collect::<Vec<_>>().join(" ");
+    found.iter().map(|one| keys(one.lanes_of(&met))).collect()
+}
+
+/// A road that crosses another aslant, without a junction: sections cut neither its lane nor the path's into several conflicts, as long as their
+/// lanes lead into each other; in left-hand traffic too.
+#[test]
+fn sections_do_not_cut_conflicts() {
+    for (rule, id) in [("", -1), (" rule=\"LHT\"", 1)] {
+        let attributes = format!("junction=\"-1\"{rule}");
+        let side = |s: f64, links: &str| {
+            let own = lane(id, links);
+            if id < 0 { section(s, "", &own) } else { section(s, &own, "") }
+        };
+        let cut = |at: f64, first: &str, second: &str| side(0.0, first) + &side(at, second);
+        let numbers = [format!("s{id}"), format!("p{id}")];
+        let linked = |at: f64| cut(at, &numbers[0], &numbers[1]);
+        let ask = |flat: &str, across: &str, keys: &[&str]| {
+            let flat = road("1", &attributes, Line(0.0, 0.0, 0.0, 100.0, 0.0), "", flat);
+            let begin = 50.0 * FRAC_PI_4.sin();
+            let line = Line(50.0 - begin, -begin, FRAC_PI_4, 100.0, 0.0);
+            let across = road("2", &attributes, line, "", across);
+            let snapshot = open_text(&document(&(flat + &across)));
+            together(snapshot.map(), keys, [10.0, 90.0])
+        };
+        // The lanes are cut in the middle of what they have in common: the path's at x, the other at y.
+        let off = 1.75 * f64::from(id) * (0.5 * FRAC_PI_4).tan();
+        let (x, y) = (50.0 - off, 50.0 + off);
+        let [own, next, first, second] =
+            ["1:0", "1:1", "2:0", "2:1"].map(|section| format!("{section}:{id}"));
+        let whole = side(0.0, "");
+        let found = ask(&whole, &linked(y), &[&own]);
+        assert_eq!(found, [format!("{first} {second}")], "{rule}");
+        let found = ask(&linked(x), &whole, &[&own, &next]);
+        assert_eq!(found, [first.clone()], "{rule}");
+        // Without links neither leads into the other.
+        assert_eq!(ask(&whole, &cut(y, "", ""), &[&own]), [first, second], "{rule}");
     }
 }
 
@@ -231,10 +283,11 @@ fn who_leaves_a_main_road_meets_nobody_there() {
 #[test]
 fn lanes_that_lead_to_a_conflict_are_told_with_their_distance() {
     each_path(|map, path, _, name, _| {
-        let (mut conflicts, mut out) = (Vec::new(), Vec::new());
-        path.conflicts(&mut conflicts);
+        let (mut conflicts, mut met, mut out) = (Vec::new(), Vec::new(), Vec::new());
+        path.conflicts(&mut conflicts, &mut met);
         for conflict in conflicts.iter().take(5) {
-            map.approaches(conflict, BACK, CAR, &mut out).expect("lanes");
+            let met = conflict.lanes_of(&met);
+            map.approaches(met, BACK, CAR, &mut out).expect("lanes");
             let mut last = 0.0;
             for own in &out {
                 let [far, near] = own.distance;
@@ -254,15 +307,17 @@ fn lanes_that_lead_to_a_conflict_are_told_with_their_distance() {
                 });
                 assert!(leads, "{name}: {own:?}");
             }
-            assert!(out.first().is_none_or(|own| own.lane == conflict.other), "{name}");
+            let is_met = |own: &ConflictApproach| met.iter().any(|met| met.other == own.lane);
+            assert!(out.first().is_none_or(is_met), "{name}");
             // The class is that of who comes: a lane that is closed to it brings nobody.
-            let (other, [low, high]) =
-                (map.lane(conflict.other).expect("a lane"), conflict.other_s);
             for class in [CAR, VehicleClass::Bicycle, VehicleClass::Tram] {
-                let is_open = [(low, true), (high, false)].into_iter().any(|(s, forward)| {
-                    other.node_at(s, forward).is_some_and(|node| node.allows(class))
+                let is_open = met.iter().any(|met| {
+                    let (other, [low, high]) = (map.lane(met.other).expect("a lane"), met.other_s);
+                    [(low, true), (high, false)].into_iter().any(|(s, forward)| {
+                        other.node_at(s, forward).is_some_and(|node| node.allows(class))
+                    })
                 });
-                map.approaches(conflict, BACK, class, &mut out).expect("lanes");
+                map.approaches(met, BACK, class, &mut out).expect("lanes");
                 assert_eq!(out.is_empty(), !is_open, "{name}: {class:?} {conflict:?}");
             }
         }
@@ -321,8 +376,8 @@ fn lanes_of_other_roads_that_hold_the_line_are_all_told() {
     // Places that another lane holds, and overlaps that are looked at again.
     let (places, overlaps) = (Cell::new(0), Cell::new(0));
     each_path(|map, path, _, name, _| {
-        let (mut conflicts, mut held) = (Vec::new(), Vec::new());
-        path.conflicts(&mut conflicts);
+        let (mut together, mut conflicts, mut held) = (Vec::new(), Vec::new(), Vec::new());
+        path.conflicts(&mut together, &mut conflicts);
         let driven: Vec<_> = path.lanes().collect();
         for own in &driven {
             let lane = map.lane(own.lane).expect("its lane");

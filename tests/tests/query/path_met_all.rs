@@ -19,8 +19,8 @@ const ROUNDING: f64 = 1e-6;
 fn all_met(map: Map<'_>, path: &Path<'_, '_>, name: &str) -> [usize; 3] {
     let options =
         NearestOptions { radius: 0.0, z_tolerance: Some(1.5), ..NearestOptions::default() };
-    let (mut conflicts, mut held) = (Vec::new(), Vec::new());
-    path.conflicts(&mut conflicts);
+    let (mut together, mut conflicts, mut held) = (Vec::new(), Vec::new(), Vec::new());
+    path.conflicts(&mut together, &mut conflicts);
     let driven: Vec<PathLane> = path.lanes().collect();
     let is_driven = |lane: LaneId| driven.iter().any(|own| own.lane == lane);
     let open = |lane: &Lane<'_>| lane.nodes().any(|node| node.is_open());
@@ -39,7 +39,7 @@ fn all_met(map: Map<'_>, path: &Path<'_, '_>, name: &str) -> [usize; 3] {
             if is_driven(other.lane_id()) || range.high < low || range.low > high {
                 continue;
             }
-            let within = |one: &&mapd_query::path::PathConflict| {
+            let within = |one: &&mapd_query::path::ConflictLane| {
                 one.other == other.lane_id()
                     && one.along[0] <= own.along[1] + ROUNDING
                     && one.along[1] >= own.along[0] - ROUNDING

@@ -4,7 +4,7 @@ use crate::path_meets::lane_by;
 use mapd_client::Map;
 use mapd_client::route::{Enter, RouteScratch, RouteStep};
 use mapd_client::vocabulary::VehicleClass;
-use mapd_query::path::{PathBuffer, PathConflict, PathOptions};
+use mapd_query::path::{ConflictLane, PathBuffer, PathOptions};
 use mapd_query::route::{PositionOnLane, ShortestLength};
 use mapd_tests::carried;
 use mapd_tests::graph_maps::all;
@@ -21,24 +21,24 @@ fn route(map: Map<'_>, ends: [(&str, f64); 2]) -> Vec<RouteStep> {
     steps
 }
 
-fn conflicts(map: Map<'_>, steps: &[RouteStep]) -> Vec<PathConflict> {
-    let (mut buffer, mut found) = (PathBuffer::default(), Vec::new());
+fn conflicts(map: Map<'_>, steps: &[RouteStep]) -> Vec<ConflictLane> {
+    let (mut buffer, mut together, mut found) = (PathBuffer::default(), Vec::new(), Vec::new());
     let path = map.path(steps, &PathOptions::default(), &mut buffer).expect("a path");
-    path.conflicts(&mut found);
+    path.conflicts(&mut together, &mut found);
     found
 }
 
 /// Keys of the lanes that meet a route, in order.
 fn meets(map: Map<'_>, ends: [(&str, f64); 2]) -> Vec<String> {
-    let key = |one: &PathConflict| map.lane(one.other).expect("a lane").key().to_string();
+    let key = |one: &ConflictLane| map.lane(one.other).expect("a lane").key().to_string();
     let mut keys: Vec<String> = conflicts(map, &route(map, ends)).iter().map(key).collect();
     keys.sort();
     keys
 }
 
-fn are_same(one: &[PathConflict], two: &[PathConflict]) -> bool {
+fn are_same(one: &[ConflictLane], two: &[ConflictLane]) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() < 1e-6;
-    let same = |(a, b): (&PathConflict, &PathConflict)| {
+    let same = |(a, b): (&ConflictLane, &ConflictLane)| {
         (a.other, a.kind, a.yields) == (b.other, b.kind, b.yields)
             && near(a.along[0], b.along[0])
             && near(a.along[1], b.along[1])
@@ -56,10 +56,10 @@ fn a_lane_that_is_driven_at_another_time_is_met() {
     let back = route(map, [("8:0:1", 38.0), ("8:0:-1", 38.0)]);
     assert!(once.len() < back.len() && once[..2] == back[..2], "{once:?}, {back:?}");
     let (mut first, mut all) = (conflicts(map, &once), conflicts(map, &back));
-    let driven = |one: &&PathConflict| back.iter().any(|step| step.lane == one.other);
+    let driven = |one: &&ConflictLane| back.iter().any(|step| step.lane == one.other);
     assert!(first.iter().filter(driven).count() > 0, "none of the way back: {first:?}");
     // Behind this S lies the crossing.
-    let is_there = |one: &PathConflict| one.along[1] < 80.0;
+    let is_there = |one: &ConflictLane| one.along[1] < 80.0;
     first.retain(is_there);
     all.retain(is_there);
     assert!(are_same(&first, &all), "{first:?}, {all:?}");

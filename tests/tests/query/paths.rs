@@ -1,12 +1,12 @@
 //! Routes as lines: S, joints, projection, edges, conflicts.
 
-use mapd_client::Map;
 use mapd_client::glam::DVec2;
 use mapd_client::route::{PositionOnLane, RouteScratch, RouteStep, ShortestLength};
 use mapd_client::vocabulary::{ConflictKind, VehicleClass};
+use mapd_client::{Lane, Map};
 use mapd_query::path::{
-    Corridor, LaneChange, Path, PathBuffer, PathError, PathLane, PathOptions, Yields,
-    steps_of_lanes,
+    ConflictLane, Corridor, LaneChange, Path, PathBuffer, PathConflict, PathError, PathLane,
+    PathOptions, Yields, steps_of_lanes,
 };
 use mapd_query::route::Enter;
 use mapd_query::{Clamped, QueryError};
@@ -258,13 +258,73 @@ fn the_corridors_edges_are_those_of_the_lanes() {
     });
 }
 
+/// Each lane is one conflict's, each conflict has lanes, and it is what they are.
+fn are_of_their_lanes(conflicts: &[PathConflict], lanes: &[ConflictLane], name: &str) {
+    let (mut number, mut last) = (0, 0.0);
+    for one in conflicts {
+        assert!(one.lanes[0] == number && one.lanes[1] > number, "{name}: {one:?}");
+        number = one.lanes[1];
+        assert!(one.along[0] >= last, "{name}: {one:?}");
+        last = one.along[0];
+        let own = one.lanes_of(lanes);
+        let has = |yields: Yields| own.iter().any(|lane| lane.yields == yields);
+        let who = [Yields::Yields, Yields::Unknown, Yields::Lights, Yields::Priority];
+        assert_eq!(
+            who.into_iter().find(|yields| has(*yields)),
+            Some(one.yields),
+            "{name}: {one:?}"
+        );
+        assert!(own.iter().any(|lane| (lane.yields, lane.reason) == (one.yields, one.reason)));
+        let is = |kind: ConflictKind| own.iter().any(|lane| lane.kind == kind);
+        let how = [ConflictKind::Merge, ConflictKind::Cross].into_iter().find(|kind| is(*kind));
+        assert_eq!(how.unwrap_or(own[0].kind), one.kind, "{name}: {one:?}");
+        let low = |of: fn(&ConflictLane) -> f64| own.iter().map(of).fold(f64::INFINITY, f64::min);
+        let high = own.iter().map(|lane| lane.along[1]).fold(0.0, f64::max);
+        assert_eq!([low(|lane| lane.along[0]), high], one.along, "{name}: {one:?}");
+        assert_eq!(low(|lane| lane.wait), one.wait, "{name}: {one:?}");
+        assert_eq!((own[0].other, own[0].other_s), (one.other, one.other_s), "{name}");
+    }
+    assert_eq!(number as usize, lanes.len(), "{name}");
+}
+
+/// No lane of a conflict leads into one of another where both meet the path, or is the same, with common places that touch.
+fn are_apart(map: Map<'_>, conflicts: &[PathConflict], lanes: &[ConflictLane], name: &str) {
+    let touch = |a: [f64; 2], b: [f64; 2]| (b[0] - a[1]).max(a[0] - b[1]) <= 0.5;
+    let ends = |lane: &Lane<'_>| {
+        let section = lane.section();
+        let ends = [section.s_start(), section.s_end()];
+        if lane.is_forward() { ends } else { [ends[1], ends[0]] }
+    };
+    for (number, one) in conflicts.iter().enumerate() {
+        let others = conflicts.iter().enumerate().filter(|(other, _)| *other != number);
+        let others: Vec<_> = others.flat_map(|(_, other)| other.lanes_of(lanes)).collect();
+        for a in one.lanes_of(lanes) {
+            let lane = map.lane(a.other).expect("a lane");
+            for b in others.iter().filter(|b| touch(a.along, b.along)) {
+                let is_one = if a.other == b.other {
+                    touch(a.other_s, b.other_s)
+                } else {
+                    let next = map.lane(b.other).expect("a lane");
+                    lane.successors().any(|id| id == b.other)
+                        && touch(a.other_s, [ends(&lane)[1]; 2])
+                        && touch(b.other_s, [ends(&next)[0]; 2])
+                };
+                assert!(!is_one, "{name}: {a:?}, {b:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn conflicts_lie_where_the_map_has_them_and_are_waited_for_before() {
     each_path(|map, path, _, name, _| {
-        let mut conflicts = Vec::new();
-        path.conflicts(&mut conflicts);
+        let (mut conflicts, mut lanes) = (Vec::new(), Vec::new());
+        path.conflicts(&mut conflicts, &mut lanes);
+        are_of_their_lanes(&conflicts, &lanes, name);
+        are_apart(map, &conflicts, &lanes, name);
+        lanes.sort_by(|a, b| a.along[0].total_cmp(&b.along[0]));
         let mut last = 0.0;
-        for one in &conflicts {
+        for one in &lanes {
             let [from, to] = one.along;
             assert!(last <= from && from <= to && to <= path.length(), "{name}: {one:?}");
             last = from;
@@ -407,9 +467,9 @@ fn with_a_hint_the_answer_stays_on_its_branch() {
 fn without_written_priority_nobody_is_said_to_yield() {
     use mapd_client::vocabulary::RelationReason::{FromTheRight, Turn};
     each_path(|_, path, _, name, _| {
-        let mut conflicts = Vec::new();
-        path.conflicts(&mut conflicts);
-        for one in conflicts {
+        let (mut conflicts, mut lanes) = (Vec::new(), Vec::new());
+        path.conflicts(&mut conflicts, &mut lanes);
+        for one in lanes {
             let by_rule = matches!(one.reason, FromTheRight | Turn);
             assert!(!by_rule || one.yields == Yields::Unknown, "{name}: {one:?}");
         }

@@ -6,7 +6,8 @@ use mapd_client::junctions::{ConnectedLanes, GridHeight};
 use mapd_client::localisation::{LaneMatch, Sensor, TracePosition, VehicleOutline};
 use mapd_client::objects::SkeletonVertex;
 use mapd_client::path::{
-    EdgeMark, PathConflict, PathJoint, PathLane, PathPoint, PathPosition, PathTime, YieldsBy,
+    ConflictLane, EdgeMark, PathConflict, PathJoint, PathLane, PathPoint, PathPosition, PathTime,
+    YieldsBy,
 };
 use mapd_client::roads::{
     BoundarySegment, LaneHeight, LaneRange, LaneSpeed, LinePoint, RoadMarkSegment, Waypoint,
@@ -31,7 +32,7 @@ macro_rules! plain {
 }
 
 plain! {
-    AlternativeOptions BoundarySegment Bounds ConnectedLanes EdgeMark GridHeight HeaderOffset LaneChangeAhead LaneEdges LaneHeight LaneMatch
+    AlternativeOptions BoundarySegment Bounds ConflictLane ConnectedLanes EdgeMark GridHeight HeaderOffset LaneChangeAhead LaneEdges LaneHeight LaneMatch
     LanePosition LaneRange LaneSpeed LightStates LinePoint Nearest NearSignal NextJunction PathConflict PathJoint PathLane PathPoint
     PathPosition PathTime Pose PositionOnLane ReachLink Region Revision RoadMarkSegment Route RouteStep Sensor ShortestLength ShortestTime
     SkeletonVertex SourcePosition SRange TracePosition Track VehicleOutline Waypoint YieldsBy

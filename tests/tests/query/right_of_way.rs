@@ -214,9 +214,9 @@ fn no_motorway_of_town04_yields_to_a_ramp() {
     let ends = [place("775:0:6", from), place("775:0:6", to)];
     let route = map.route(ends[0], ends[1], car, &cost, &mut scratch, &mut steps);
     route.expect("an answer").expect("a way");
-    let (mut buffer, mut found) = (PathBuffer::default(), Vec::new());
+    let (mut buffer, mut together, mut found) = (PathBuffer::default(), Vec::new(), Vec::new());
     let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
-    path.conflicts(&mut found);
+    path.conflicts(&mut together, &mut found);
     let ramp = |id| map.lane(id).expect("a lane").road().id() == "779";
     let of_ramp: Vec<_> = found.iter().filter(|one| ramp(one.other)).collect();
     assert!(!of_ramp.is_empty(), "{found:?}");

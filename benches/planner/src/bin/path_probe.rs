@@ -47,7 +47,8 @@ fn main() -> ExitCode {
     });
     let points: Vec<DVec2> = places.collect();
     let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (p.x, p.y)).unzip();
-    let (mut room, mut segments, mut conflicts) = (Corridor::default(), Vec::new(), Vec::new());
+    let (mut room, mut segments) = (Corridor::default(), Vec::new());
+    let (mut conflicts, mut met) = (Vec::new(), Vec::new());
     let (mut feet, mut routes, mut reach) =
         (PathPositions::default(), Routes::default(), Reach::default());
     let cost = ShortestLength::default();
@@ -83,7 +84,7 @@ fn main() -> ExitCode {
                 }
             }
             "segments" => path.segments(vehicle, &mut segments),
-            "conflicts" => path.conflicts(&mut conflicts),
+            "conflicts" => path.conflicts(&mut conflicts, &mut met),
             "request" => {
                 black_box(map.find_route(&request, &mut scratch, &mut steps).ok());
             }

@@ -40,7 +40,7 @@ pub(crate) const NAMES: &[(&str, &str, &str)] = &[
     ("mapd_road_name_id", "road_name_id", "an id of what would not be said"),
     ("mapd_signal_links", "signal_links", "links of what would not be said"),
     ("mapd_signal_movements", "signal_movements", "movements of what would not be said"),
-    ("mapd_conflict_approaches", "approaches", "the conflict is the argument"),
+    ("mapd_conflict_approaches", "approaches", "the conflict's lanes are the argument"),
     (
         "mapd_view_signal_out_of_service",
         "signal_out_of_service",
@@ -113,6 +113,7 @@ enum Shape {
     Route,
     Routes,
     Reach,
+    Conflicts,
 }
 
 /// Where the header lies.
@@ -325,6 +326,7 @@ fn taken(function: &Function, class: &str) -> Result<Taken, String> {
             Shape::Routes
         }
         ([_, "capacity", "count", "links", _, "link_count", "error"], ..) => Shape::Reach,
+        ([_, "capacity", "count", "lanes", _, "lane_count", "error"], ..) => Shape::Conflicts,
         _ => {
             let first = all.get(at).map_or(&function.place, |one| &one.place);
             let (name, list) = (&function.name, names.join(", "));
@@ -395,6 +397,7 @@ fn methods(function: &Function, class: &str, name: &str) -> Result<(String, Stri
         Shape::Route => ("std::optional<Route>".to_owned(), "route<Route>".to_owned()),
         Shape::Routes => ("std::vector<Route>".to_owned(), "routes<Route>".to_owned()),
         Shape::Reach => ("Reach".to_owned(), "reach<Reach>".to_owned()),
+        Shape::Conflicts => ("PathConflicts".to_owned(), "conflicts<PathConflicts>".to_owned()),
         Shape::Batch(_) => (String::new(), "batch".to_owned()),
     };
     let (mut tries, mut throws) = (documentation(sentence), String::new());

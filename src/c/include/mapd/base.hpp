@@ -88,6 +88,7 @@ using PathJoint = mapd_path_joint;
 using PathLane = mapd_path_lane;
 using CorridorStation = mapd_corridor_station;
 using PathConflict = mapd_path_conflict;
+using ConflictLane = mapd_conflict_lane;
 using ConflictApproach = mapd_conflict_approach;
 using PathCrossing = mapd_path_crossing;
 using PathFact = mapd_path_fact;
@@ -478,22 +479,35 @@ Result<std::vector<R>> routes(F call) {
   }
 }
 
+/// An answer of two lists, `R`'s members `first` and `second`.
+template <class R, class A, class B, class F>
+Result<R> two_lists(std::vector<A> R::*first, std::vector<B> R::*second, F call) {
+  R out;
+  std::vector<A>& one = out.*first;
+  std::vector<B>& other = out.*second;
+  one.resize(64);
+  other.resize(64);
+  mapd_error error;
+  for (;;) {
+    std::size_t count = 0, other_count = 0;
+    const mapd_code code = call(one.data(), one.size(), &count, other.data(), other.size(), &other_count, &error);
+    if (code != MAPD_CODE_OK && code != MAPD_CODE_TOO_SMALL) return failed(code, error);
+    one.resize(count);
+    other.resize(other_count);
+    if (code == MAPD_CODE_OK) return out;
+  }
+}
+
 /// Pieces that are reached, and links.
 template <class R, class F>
 Result<R> reach(F call) {
-  R out;
-  out.pieces.resize(64);
-  out.links.resize(64);
-  mapd_error error;
-  for (;;) {
-    std::size_t count = 0, link_count = 0;
-    const mapd_code code =
-        call(out.pieces.data(), out.pieces.size(), &count, out.links.data(), out.links.size(), &link_count, &error);
-    if (code != MAPD_CODE_OK && code != MAPD_CODE_TOO_SMALL) return failed(code, error);
-    out.pieces.resize(count);
-    out.links.resize(link_count);
-    if (code == MAPD_CODE_OK) return out;
-  }
+  return two_lists(&R::pieces, &R::links, call);
+}
+
+/// Conflicts, and their lanes.
+template <class R, class F>
+Result<R> conflicts(F call) {
+  return two_lists(&R::conflicts, &R::lanes, call);
 }
 
 #if MAPD_EXCEPTIONS
@@ -558,6 +572,22 @@ struct Route {
 struct Reach {
   std::vector<ReachedPiece> pieces;
   std::vector<ReachLink> links;
+};
+
+/// Where other traffic meets a path, in ascending S: a range of conflicts, each of some of the lanes.
+struct PathConflicts {
+  std::vector<PathConflict> conflicts;
+  std::vector<ConflictLane> lanes;
+
+  std::size_t size() const noexcept { return conflicts.size(); }
+  bool empty() const noexcept { return conflicts.empty(); }
+  auto begin() const noexcept { return conflicts.begin(); }
+  auto end() const noexcept { return conflicts.end(); }
+  const PathConflict& operator[](std::size_t i) const noexcept { return conflicts[i]; }
+  /// The lanes of one of the conflicts.
+  span<const ConflictLane> lanes_of(const PathConflict& one) const noexcept {
+    return {lanes.data() + one.lanes_from, one.lanes_to - one.lanes_from};
+  }
 };
 
 /// The way of a path on another snapshot, if there is one, and what has changed.

@@ -42,18 +42,19 @@ struct YieldsBy {
   std::uint8_t basis = MAPD_BASIS_UNKNOWN;
 };
 
-/// Who goes first at a conflict by the file, else by the rules of a country; none for a country whose rules are not known.
-inline Result<std::optional<YieldsBy>> try_yields_by(const PathConflict& conflict, const std::string& country) {
+/// Who goes first at a conflict of these lanes by the file, else by the rules of a country; none for a country whose rules are not known.
+inline Result<std::optional<YieldsBy>> try_yields_by(span<const ConflictLane> lanes, const std::string& country) {
   YieldsBy out;
   mapd_error error;
-  const mapd_code code = mapd_path_conflict_yields_by(&conflict, country.c_str(), &out.yields, &out.basis, &error);
+  const mapd_code code =
+      mapd_path_conflict_yields_by(lanes.data(), lanes.size(), country.c_str(), &out.yields, &out.basis, &error);
   if (code == MAPD_CODE_NONE) return std::optional<YieldsBy>();
   if (code != MAPD_CODE_OK) return detail::failed(code, error);
   return std::optional<YieldsBy>(out);
 }
 #if MAPD_EXCEPTIONS
-inline std::optional<YieldsBy> yields_by(const PathConflict& conflict, const std::string& country) {
-  return try_yields_by(conflict, country).value();
+inline std::optional<YieldsBy> yields_by(span<const ConflictLane> lanes, const std::string& country) {
+  return try_yields_by(lanes, country).value();
 }
 #endif
 

@@ -80,10 +80,14 @@ static void add_fact(struct numbers *out, const mapd_path_fact *fact) {
 
 static void add_approaches(struct numbers *out, const mapd_path *path, double reach) {
   static mapd_path_conflict conflicts[MOST];
+  static mapd_conflict_lane lanes[MOST];
   static mapd_conflict_approach approaches[MOST];
-  size_t count, found = 0;
-  must(mapd_path_conflicts(path, scratch, conflicts, MOST, &count, &error));
-  if (count > 0) must(mapd_conflict_approaches(map, conflicts, reach, CAR, scratch, approaches, MOST, &found, &error));
+  size_t count, lane_count, found = 0;
+  must(mapd_path_conflicts(path, scratch, conflicts, MOST, &count, lanes, MOST, &lane_count, &error));
+  if (count > 0) {
+    const size_t own = conflicts[0].lanes_to - conflicts[0].lanes_from;
+    must(mapd_conflict_approaches(map, lanes + conflicts[0].lanes_from, own, reach, CAR, scratch, approaches, MOST, &found, &error));
+  }
   add_u(out, found);
   for (size_t i = 0; i < found; ++i) {
     add_u(out, lane_bits(approaches[i].lane));

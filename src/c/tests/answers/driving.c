@@ -100,8 +100,9 @@ static void add_room(struct numbers *out, const mapd_path *path, double length, 
 
 static void add_conflicts(struct numbers *out, const mapd_path *path) {
   static mapd_path_conflict all[MOST];
-  size_t count;
-  must(mapd_path_conflicts(path, scratch, all, MOST, &count, &error));
+  static mapd_conflict_lane lanes[MOST];
+  size_t count, lane_count;
+  must(mapd_path_conflicts(path, scratch, all, MOST, &count, lanes, MOST, &lane_count, &error));
   add_u(out, count);
   for (size_t i = 0; i < count; ++i) {
     mapd_text kind, reason;
@@ -116,6 +117,12 @@ static void add_conflicts(struct numbers *out, const mapd_path *path) {
     add_u(out, text_hash(kind));
     add_u(out, hash_of(YIELDS[all[i].yields], strlen(YIELDS[all[i].yields])));
     add_u(out, text_hash(reason));
+    add_u(out, all[i].lanes_to - all[i].lanes_from);
+    for (size_t k = all[i].lanes_from; k < all[i].lanes_to; ++k) {
+      add_u(out, lane_bits(lanes[k].other));
+      add_f(out, lanes[k].along_from);
+      add_f(out, lanes[k].along_to);
+    }
   }
 }
 

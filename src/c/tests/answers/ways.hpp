@@ -70,7 +70,7 @@ inline void who_meets(const mapd::Snapshot& map, const mapd::Path& path, double 
   }
   const auto conflicts = path.conflicts(scratch);
   std::vector<mapd::ConflictApproach> approaches;
-  if (!conflicts.empty()) approaches = map.approaches(conflicts.front(), reach, car, scratch);
+  if (!conflicts.empty()) approaches = map.approaches(conflicts.lanes_of(conflicts[0]), reach, car, scratch);
   a.u(approaches.size());
   for (const auto& one : approaches) {
     a.id(one.lane).all(one.s_from, one.s_to, one.distance_from, one.distance_to).u(one.forward);

@@ -100,6 +100,7 @@ from ._mapd import (
 )
 from ._results import (
     Annotation,
+    ConflictLane,
     Connection,
     Controller,
     DaemonBack,
@@ -181,6 +182,7 @@ __all__ = [
     "ClosedError",
     "Columns",
     "Compilation",
+    "ConflictLane",
     "Connection",
     "Controller",
     "Corridor",

@@ -535,8 +535,8 @@ class PathPosition(NamedTuple):
     """-1 or 1 where the point lies before or after the path; else 0."""
 
 
-class PathConflict(NamedTuple):
-    """A place where the traffic of another lane meets a path."""
+class ConflictLane(NamedTuple):
+    """A lane whose traffic meets a path."""
 
     start: float
     """S of the first common place [m]."""
@@ -545,7 +545,7 @@ class PathConflict(NamedTuple):
     other: Lane
     other_start: float
     other_end: float
-    """The common place on the other lane's road [m], the smaller s first."""
+    """The common place on the lane's road [m], the smaller s first."""
     kind: str
     yields: Literal["yields", "priority", "lights", "unknown"]
     """Who has priority, according to the file, else to the rules of the country that is named."""
@@ -554,6 +554,31 @@ class PathConflict(NamedTuple):
     """What that rests on."""
     wait: float
     """S at which to wait [m]."""
+
+
+class PathConflict(NamedTuple):
+    """A place where the traffic of other lanes meets a path: of one lane, or of several that lead into each other."""
+
+    start: float
+    """S of the first common place [m]."""
+    end: float
+    """S of the last common place [m]."""
+    other: Lane
+    """The other lane, of several the one that meets the path first."""
+    other_start: float
+    other_end: float
+    """The common place on its road [m], the smaller s first."""
+    kind: str
+    """"merge" where one of the lanes merges, else "cross" where one crosses."""
+    yields: Literal["yields", "priority", "lights", "unknown"]
+    """Who has priority, according to the file, else to the rules of the country that is named: "yields" where the path yields to one of the lanes, else "unknown" where
+    nothing says so of one."""
+    reason: str
+    basis: Literal["written", "rule", "unknown"]
+    """What that rests on."""
+    wait: float
+    """S at which to wait [m]: the earliest of the lanes."""
+    lanes: list[ConflictLane]
 
 
 class Decision(NamedTuple):

@@ -1,6 +1,7 @@
 //! The lanes that lead to where another lane meets a path.
 
-use super::conflicts::PathConflict;
+use super::conflicts::{ConflictLane, leads};
+use super::overlaps::STEP;
 use crate::error::QueryError;
 use crate::graph::LaneNode;
 use crate::ids::LaneId;
@@ -28,15 +29,27 @@ pub struct ConflictApproach {
     settled: bool,
 }
 
+/// Whether traffic comes to where a lane meets a path, travelling it in a direction, from where another meets it, or the same at another stretch.
+fn comes_from(map: Map<'_>, from: &ConflictLane, to: &ConflictLane, forward: bool) -> bool {
+    let ([low, high], [begin, end]) = (from.other_s, to.other_s);
+    if from.other == to.other {
+        let s = if forward { begin } else { end };
+        let is_before = if forward { low < s } else { high > s };
+        return is_before && (low - STEP..=high + STEP).contains(&s);
+    }
+    leads(map, from, to, Some(forward), STEP)
+}
+
 impl<'a> Map<'a> {
-    /// The lanes on which traffic comes to a conflict of a path, back to a distance `[m]` from its first place on the other lane, each by the shortest way, nearest
-    /// first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle` is the class of who comes, not of who drives the path: lanes
-    /// that are closed to it bring none, the other lane neither. Who heeds bicycles asks for them, too. `out` is emptied first; it grows only if its capacity is too small.
+    /// The lanes on which traffic comes to a conflict of a path, back to a distance `[m]` from its first place on the other lanes, each by the shortest way, nearest
+    /// first. `lanes` are those of the conflict ([`PathConflict::lanes_of`](super::PathConflict::lanes_of)), of which those come first that none of the others leads to. Changes of lane are not
+    /// among the ways. `vehicle` is the class of who comes, not of who drives the path: lanes that are closed to it bring none, the other lanes neither. Who heeds bicycles asks
+    /// for them, too. `out` is emptied first; it grows only if its capacity is too small.
     ///
     /// Errors: a conflict of another map, a distance that is not finite.
     pub fn approaches(
         &self,
-        conflict: &PathConflict,
+        lanes: &[ConflictLane],
         distance: f64,
         vehicle: VehicleClass,
         out: &mut Vec<ConflictApproach>,
@@ -45,15 +58,23 @@ impl<'a> Map<'a> {
         if !distance.is_finite() {
             return Err(QueryError::NotFinite);
         }
-        let other = self.lane(conflict.other)?;
-        let [low, high] = conflict.other_s;
-        for forward in [true, false] {
-            let begin = if forward { low } else { high };
-            let Some(node) = other.node_at(begin, forward).filter(|node| node.allows(vehicle))
-            else {
-                continue;
-            };
-            self.approach(&node, begin, 0.0, out);
+        // On a ring each may lead to the next.
+        for is_first in [true, false] {
+            if !is_first && !out.is_empty() {
+                break;
+            }
+            for lane in lanes.iter().take(MOST) {
+                let (other, [low, high]) = (self.lane(lane.other)?, lane.other_s);
+                for forward in [true, false] {
+                    let begin = if forward { low } else { high };
+                    let node = other.node_at(begin, forward);
+                    let Some(node) = node.filter(|node| node.allows(vehicle)) else { continue };
+                    let comes = |before| comes_from(*self, before, lane, forward);
+                    if !is_first || !lanes.iter().take(MOST).any(comes) {
+                        self.approach(&node, begin, 0.0, out);
+                    }
+                }
+            }
         }
         let mut done = 0;
         while done < out.len() && out.len() < MOST {

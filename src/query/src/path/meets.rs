@@ -1,6 +1,6 @@
 //! Where other traffic meets a path outside the junctions' own lists: lanes that merge into it.
 
-use super::conflicts::{PathConflict, Yields};
+use super::conflicts::{ConflictLane, Yields};
 use super::overlaps::STEP;
 use super::{Path, Piece};
 use crate::extents::SRange;
@@ -9,7 +9,7 @@ use crate::lane::Lane;
 use mapd_archive::{ConflictKind, Relation, RelationReason};
 
 /// Common places are too long by up to half a metre at either end: what is nearer to each other than both `[m]` touches.
-const TOUCHES: f64 = 1.0;
+pub(super) const TOUCHES: f64 = 1.0;
 
 impl<'a> Path<'a, '_> {
     /// Whether a stretch of another lane that has a place in common with the piece of a number is the path's own way there. The path drives it just before,
@@ -57,7 +57,7 @@ impl<'a> Path<'a, '_> {
         number: usize,
         piece: &Piece,
         lane: &Lane<'a>,
-        out: &mut Vec<PathConflict>,
+        out: &mut Vec<ConflictLane>,
     ) {
         let [begin, _] = self.ends_of(piece);
         let first = self.spans_of(piece).first().map(|span| span.s[0]);
@@ -112,10 +112,10 @@ impl<'a> Path<'a, '_> {
         along: [f64; 2],
         other_s: [f64; 2],
         kind: ConflictKind,
-        out: &mut Vec<PathConflict>,
+        out: &mut Vec<ConflictLane>,
     ) {
         // What a junction's own list tells is told.
-        let told = |known: &&mut PathConflict| {
+        let told = |known: &&mut ConflictLane| {
             known.other == other.lane_id() && known.along[1] + STEP >= along[0]
         };
         if let Some(known) = out.iter_mut().find(told) {
@@ -128,7 +128,7 @@ impl<'a> Path<'a, '_> {
             }
             return;
         }
-        out.push(PathConflict {
+        out.push(ConflictLane {
             along,
             other: other.lane_id(),
             other_s,

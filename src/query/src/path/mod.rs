@@ -36,7 +36,7 @@ pub use along::PathPoint;
 pub use approaches::ConflictApproach;
 pub use build::steps_of_lanes;
 pub use change::LaneChange;
-pub use conflicts::{PathConflict, Yields, YieldsBy};
+pub use conflicts::{ConflictLane, PathConflict, Yields, YieldsBy};
 pub use corridor::{Corridor, CorridorSurface};
 pub use crossings::PathCrossing;
 pub use edge::{EdgeKind, EdgeMark};

@@ -4,7 +4,7 @@
 //! with them every 2 m.
 
 use super::along::center;
-use super::conflicts::PathConflict;
+use super::conflicts::ConflictLane;
 use super::{Path, Piece, Span};
 use crate::index::{self, LaneSegment};
 use crate::lane::Lane;
@@ -45,7 +45,7 @@ impl Looks {
     }
 
     /// Takes one; whether there was one left.
-    fn take(&mut self) -> bool {
+    pub(super) fn take(&mut self) -> bool {
         let is_left = self.0 > 0;
         self.spend(1);
         is_left
@@ -72,7 +72,7 @@ impl<'a> Path<'a, '_> {
         piece: &Piece,
         lane: &Lane<'a>,
         looks: &mut Looks,
-        out: &mut Vec<PathConflict>,
+        out: &mut Vec<ConflictLane>,
     ) {
         let own = Along { number, piece, lane };
         let before = out.len();
@@ -102,7 +102,7 @@ impl<'a> Path<'a, '_> {
         shares: [f64; 2],
         before: usize,
         looks: &mut Looks,
-        out: &mut Vec<PathConflict>,
+        out: &mut Vec<ConflictLane>,
     ) {
         let Some(near) = self.near(own, chunk, shares) else { return };
         for span in chunk {
@@ -134,7 +134,7 @@ impl<'a> Path<'a, '_> {
         point: Point,
         along: [f64; 2],
         before: usize,
-        out: &mut Vec<PathConflict>,
+        out: &mut Vec<ConflictLane>,
     ) -> usize {
         let mut looked_at = 0;
         let options =

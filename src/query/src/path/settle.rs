@@ -2,7 +2,7 @@
 
 use super::Path;
 use super::along::center;
-use super::conflicts::{PathConflict, Yields};
+use super::conflicts::{ConflictLane, Yields};
 use super::overlaps::STEP;
 use crate::lane::Lane;
 use crate::rules::{ENTRY_REACH, EntrySign};
@@ -24,7 +24,7 @@ struct Entry {
 
 impl<'a> Path<'a, '_> {
     /// Completes a conflict outside junctions, of the piece of a number.
-    pub(super) fn settle(&self, number: usize, own: &mut PathConflict) {
+    pub(super) fn settle(&self, number: usize, own: &mut ConflictLane) {
         let Ok(other) = self.map.lane(own.other) else { return };
         let is_joint = own.along[0] == own.along[1];
         if own.kind == ConflictKind::Overlap || is_joint {
@@ -43,7 +43,7 @@ impl<'a> Path<'a, '_> {
     }
 
     /// Moves an end of the common place as far as the driven lane lies in the other one.
-    fn widen(&self, other: &Lane<'a>, step: f64, own: &mut PathConflict) {
+    fn widen(&self, other: &Lane<'a>, step: f64, own: &mut ConflictLane) {
         let end = usize::from(step > 0.0);
         let begin = own.along[end];
         // From a place within on: the end itself may touch the other lane alone.

@@ -142,10 +142,10 @@ impl Asker<'_> {
             line(a, &one.line);
             a.u(hash(one.yields.name()));
         }
-        let (mut conflicts, mut approaches) = (Vec::new(), Vec::new());
-        path.conflicts(&mut conflicts);
+        let (mut conflicts, mut lanes, mut approaches) = (Vec::new(), Vec::new(), Vec::new());
+        path.conflicts(&mut conflicts, &mut lanes);
         if let Some(first) = conflicts.first() {
-            self.map.approaches(first, reach, CAR, &mut approaches)?;
+            self.map.approaches(first.lanes_of(&lanes), reach, CAR, &mut approaches)?;
         }
         a.u(approaches.len() as u64);
         for one in &approaches {

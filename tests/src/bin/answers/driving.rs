@@ -100,13 +100,17 @@ impl Asker<'_> {
                 a.u(mark.kind.code()).u(mark.color.code()).u(u64::from(mark.may_cross));
             }
         }
-        let mut conflicts = Vec::new();
-        path.conflicts(&mut conflicts);
+        let (mut conflicts, mut lanes) = (Vec::new(), Vec::new());
+        path.conflicts(&mut conflicts, &mut lanes);
         a.u(conflicts.len() as u64);
         for one in &conflicts {
             a.f(one.along[0]).f(one.along[1]).id(one.other.to_bits());
             a.f(one.other_s[0]).f(one.other_s[1]).f(one.wait);
             a.u(hash(one.kind.name())).u(hash(one.yields.name())).u(hash(one.reason.name()));
+            a.u(one.lanes_of(&lanes).len() as u64);
+            for lane in one.lanes_of(&lanes) {
+                a.id(lane.other.to_bits()).f(lane.along[0]).f(lane.along[1]);
+            }
         }
         self.write("path", &q, &a);
         Ok(())

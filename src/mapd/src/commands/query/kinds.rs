@@ -55,7 +55,7 @@ pub enum Kind {
     Corridor,
     /// as route, and `x,y[,hdg]` → S,d,heading_difference,lane,clamped
     Project,
-    /// as route → a row for each lane that meets the path: S_from,S_to, the other lane and its s, kind, who yields, why, where to wait, what that rests on
+    /// as route → a row for each conflict on the path: S_from,S_to, the other lane and its s, kind, who yields, why, where to wait, what that rests on, all lanes
     Conflicts,
     /// `road_id,s,lane_id` → speed limit and its origin
     Speed,
@@ -186,6 +186,7 @@ impl Kind {
                 "reason",
                 "wait_S",
                 "basis",
+                "other_lanes",
             ],
             Self::Speed => &["speed", "origin"],
             Self::Landmarks => landmarks::COLUMNS,

@@ -157,8 +157,8 @@ fn conflicts(
     rules: Option<&RoadRules>,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
-    let (mut found, mut crossings) = (Vec::new(), Vec::new());
-    path.conflicts(&mut found);
+    let (mut found, mut lanes, mut crossings) = (Vec::new(), Vec::new(), Vec::new());
+    path.conflicts(&mut found, &mut lanes);
     path.crossings(&mut crossings);
     let mut crossings = crossings.into_iter().peekable();
     for one in found {
@@ -170,13 +170,16 @@ fn conflicts(
         numbers(out, &one.other_s);
         out.push(one.kind.name().to_owned());
         let YieldsBy { yields, basis } = match rules {
-            Some(rules) => one.yields_by(rules),
+            Some(rules) => one.yields_by(&lanes, rules),
             None => YieldsBy { yields: one.yields, basis: one.basis() },
         };
         out.push(yields.name().to_owned());
         out.push(one.reason.name().to_owned());
         numbers(out, &[one.wait]);
         out.push(basis.name().to_owned());
+        let keys = one.lanes_of(&lanes).iter().map(|own| map.lane(own.other).map_err(text));
+        let keys = keys.map(|lane| Ok(lane?.key().to_string()));
+        out.push(keys.collect::<Result<Vec<_>, String>>()?.join(";"));
     }
     crossings.for_each(|own| crossing(&own, out));
     Ok(())
@@ -194,6 +197,7 @@ fn crossing(own: &PathCrossing, out: &mut Vec<String>) {
     out.extend(words.map(str::to_owned));
     numbers(out, &[own.wait]);
     out.push(basis.name().to_owned());
+    out.push(String::new());
 }
 
 fn check_step(step: f64, length: f64) -> Result<(), String> {
