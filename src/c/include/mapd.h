@@ -3008,9 +3008,60 @@ typedef struct mapd_corridor_surface {
 } mapd_corridor_surface;
 
 /*
- A place where the traffic of another lane meets a path.
+ A place where the traffic of other lanes meets a path: of one lane, or of several that lead into each other.
  */
 typedef struct mapd_path_conflict {
+  /*
+   S of the first common place [m], as of `mapd_conflict_lane`.
+   */
+  double along_from;
+  /*
+   S of the last common place [m].
+   */
+  double along_to;
+  /*
+   The other lane, of several the one that meets the path first.
+   */
+  struct mapd_lane_id other;
+  /*
+   The smaller s of the common place on its road [m].
+   */
+  double other_s_from;
+  /*
+   The larger s of the common place on its road [m].
+   */
+  double other_s_to;
+  /*
+   S at which to wait [m]: the earliest of its lanes.
+   */
+  double wait;
+  /*
+   Number of its first lane in the list of lanes.
+   */
+  uint32_t lanes_from;
+  /*
+   Number of the one behind its last lane.
+   */
+  uint32_t lanes_to;
+  /*
+   How they meet, a `MAPD_CONFLICT_KIND_…`: merging where one lane merges, else crossing where one crosses.
+   */
+  uint8_t kind;
+  /*
+   Who goes first, by what the file says, a `MAPD_YIELDS_…`: `MAPD_YIELDS_YIELDS` where the path yields to one lane, else `MAPD_YIELDS_UNKNOWN` where the file does not
+   say of one, else `MAPD_YIELDS_LIGHTS` where they decide about one.
+   */
+  uint8_t yields;
+  /*
+   Why, a `MAPD_RELATION_REASON_…`: of the first lane of which that is said.
+   */
+  uint8_t reason;
+} mapd_path_conflict;
+
+/*
+ A lane whose traffic meets a path.
+ */
+typedef struct mapd_conflict_lane {
   /*
    S of the first common place [m]; too early by up to half a metre.
    */
@@ -3057,7 +3108,7 @@ typedef struct mapd_path_conflict {
    other goes straight on, as a ramp does.
    */
   uint8_t equal_roads;
-} mapd_path_conflict;
+} mapd_conflict_lane;
 
 /*
  A lane, or a piece of one, on which traffic comes towards a conflict.
@@ -5824,35 +5875,43 @@ mapd_code mapd_corridor_outline(const struct mapd_corridor_station *stations,
 
 /*
  Where other traffic meets the path, in ascending S: on lanes of junctions and others that the map knows to conflict, where lanes merge into
- one, and on roads that lie at the same place. What the path itself drives just before or behind is left out.
+ one, and on roads that lie at the same place. What the path itself drives just before or behind is left out. Lanes that lead into each other are one conflict where what
+ they have in common with the path touches; `lanes` gets all lanes, those of a conflict behind each other, and `lane_count` their number.
+
+ Errors: `MAPD_CODE_TOO_SMALL` where either list is.
  */
 mapd_code mapd_path_conflicts(const struct mapd_path *path,
                               struct mapd_scratch *scratch,
                               struct mapd_path_conflict *out,
                               size_t capacity,
                               size_t *count,
+                              struct mapd_conflict_lane *lanes,
+                              size_t lane_capacity,
+                              size_t *lane_count,
                               struct mapd_error *error);
 
 /*
  Who goes first at a conflict by what the file says, else by the rules of a country, by its two letters of ISO 3166-1 such as `DE`. That they hold
- there is for the caller to know. `yields` gets a `MAPD_YIELDS_…`, `basis` what that rests on, a `MAPD_BASIS_…`; null is fine. `MAPD_CODE_NONE`
+ there is for the caller to know. `lanes` are those of the conflict, from its `lanes_from` to its `lanes_to`: who yields to one yields. `yields` gets a `MAPD_YIELDS_…`, `basis` what that rests on, a `MAPD_BASIS_…`; null is fine. `MAPD_CODE_NONE`
  for a country whose rules are not known.
  */
-mapd_code mapd_path_conflict_yields_by(const struct mapd_path_conflict *conflict,
+mapd_code mapd_path_conflict_yields_by(const struct mapd_conflict_lane *lanes,
+                                       size_t lane_count,
                                        const char *country,
                                        uint8_t *yields,
                                        uint8_t *basis,
                                        struct mapd_error *error);
 
 /*
- The lanes on which traffic comes to a conflict of a path, back to a distance [m] from its first place on the other lane, each by the shortest way,
- nearest first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle`, a `MAPD_VEHICLE_CLASS_…`, is the class of who comes, not of
- who drives the path: lanes that are closed to it bring none, the other lane neither.
+ The lanes on which traffic comes to a conflict of a path, back to a distance [m] from its first place on the other lanes, each by the shortest way,
+ nearest first. `lanes` are those of the conflict, from its `lanes_from` to its `lanes_to`; those come first that none of the others leads to. Changes of lane are not among
+ the ways. `vehicle`, a `MAPD_VEHICLE_CLASS_…`, is the class of who comes, not of who drives the path: lanes that are closed to it bring none, the other lanes neither.
 
  Errors: `MAPD_CODE_FOREIGN_ID`, `MAPD_CODE_NOT_FINITE`; `MAPD_CODE_ARGUMENT` for an unknown class.
  */
 mapd_code mapd_conflict_approaches(const struct mapd_snapshot *snapshot,
-                                   const struct mapd_path_conflict *conflict,
+                                   const struct mapd_conflict_lane *lanes,
+                                   size_t lane_count,
                                    double distance,
                                    uint8_t vehicle,
                                    struct mapd_scratch *scratch,
@@ -6049,6 +6108,48 @@ mapd_code mapd_view_segments_on_path(const struct mapd_view *view,
                                      size_t capacity,
                                      size_t *count,
                                      struct mapd_error *error);
+
+/*
+ As `mapd_path_conflicts`, with lights that are out of service now left out: where they would decide, signs do, then priorities of the file, then rules of the road.
+
+ Errors: as `mapd_path_conflicts`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
+ */
+mapd_code mapd_view_conflicts(const struct mapd_view *view,
+                              const struct mapd_path *path,
+                              struct mapd_scratch *scratch,
+                              struct mapd_path_conflict *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_conflict_lane *lanes,
+                              size_t lane_capacity,
+                              size_t *lane_count,
+                              struct mapd_error *error);
+
+/*
+ As `mapd_path_crossings`, with lights that are out of service now left out.
+
+ Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map.
+ */
+mapd_code mapd_view_crossings(const struct mapd_view *view,
+                              const struct mapd_path *path,
+                              struct mapd_scratch *scratch,
+                              struct mapd_path_crossing *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
+
+/*
+ As `mapd_path_facts`, with today's permissions; a light that is out of service now governs nothing.
+
+ Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map.
+ */
+mapd_code mapd_view_facts(const struct mapd_view *view,
+                          const struct mapd_path *path,
+                          struct mapd_scratch *scratch,
+                          struct mapd_path_fact *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
 
 /*
  As `mapd_route`, with the overlay's current entries applied: closed stretches are not entered, opened ones may be, and times are those of today's speeds. The lane of the

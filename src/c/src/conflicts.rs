@@ -1,6 +1,6 @@
 //! Who meets a path: other lanes' traffic, where it comes from, and who crosses on foot.
 
-use crate::code::{Failure, answer, mapd_code, mapd_error};
+use crate::code::{Failure, Outcome, answer, mapd_code, mapd_error};
 use crate::graph::vehicle_of;
 use crate::ids::mapd_lane_id;
 use crate::list::{List, entries, get_mut, put_raw};
@@ -228,12 +228,29 @@ pub unsafe extern "C" fn mapd_path_conflicts(
         answer(error, || {
             let mapd_scratch { conflicts, conflict_lanes, .. } = get_mut(scratch, "a scratch")?;
             path_of(path)?.conflicts(conflicts, conflict_lanes);
+            let own = List { out, capacity, count };
             let of_lanes = List { out: lanes, capacity: lane_capacity, count: lane_count };
-            let fits = of_lanes.write(conflict_lanes.iter().map(Into::into))?;
-            let own = List { out, capacity, count }.write(conflicts.iter().map(Into::into))?;
-            Ok(if own == mapd_code::OK { fits } else { own })
+            write_conflicts(conflicts, conflict_lanes, own, of_lanes)
         })
     }
+}
+
+/// Writes conflicts and their lanes.
+///
+/// # Safety
+///
+/// As [`List::write`], of both.
+pub(crate) unsafe fn write_conflicts(
+    conflicts: &[PathConflict],
+    lanes: &[ConflictLane],
+    own: List<mapd_path_conflict>,
+    of_lanes: List<mapd_conflict_lane>,
+) -> Outcome {
+    // SAFETY: as promised above.
+    let fits = unsafe { of_lanes.write(lanes.iter().map(Into::into)) }?;
+    // SAFETY: as promised above.
+    let written = unsafe { own.write(conflicts.iter().map(Into::into)) }?;
+    Ok(if written == mapd_code::OK { fits } else { written })
 }
 
 /// Who goes first at a conflict by what the file says, else by the rules of a country, by its two letters of ISO 3166-1 such as `DE`. That they hold

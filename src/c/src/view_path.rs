@@ -1,10 +1,13 @@
 //! What is laid over a map along a path: entries, today's limits and times, from which lanes the goal is reached.
 
 use crate::code::{answer, mapd_code, mapd_error};
+use crate::conflicts::{
+    mapd_conflict_lane, mapd_path_conflict, mapd_path_crossing, write_conflicts,
+};
 use crate::graph::vehicle_of;
 use crate::list::{List, finite, get_mut, put, put_answer};
 use crate::path::{mapd_path, path_of};
-use crate::path_facts::{mapd_path_segment, mapd_path_time};
+use crate::path_facts::{mapd_path_fact, mapd_path_segment, mapd_path_time};
 use crate::scratch::mapd_scratch;
 use crate::view::{mapd_restriction, mapd_speed_today, mapd_view, view_of};
 use mapd_client::path::PathTime;
@@ -159,6 +162,80 @@ pub unsafe extern "C" fn mapd_view_segments_on_path(
             let (view, path, vehicle) = (view_of(view)?, path_of(path)?, vehicle_of(vehicle)?);
             let found = &mut get_mut(scratch, "a scratch")?.segments;
             view.segments_on_path(&path, vehicle, found)?;
+            List { out, capacity, count }.write(found.iter().map(Into::into))
+        })
+    }
+}
+
+/// As `mapd_path_conflicts`, with lights that are out of service now left out: where they would decide, signs do, then priorities of the file, then rules of the road.
+///
+/// Errors: as `mapd_path_conflicts`; `MAPD_CODE_FOREIGN_ID` for a path on another map.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_view_conflicts(
+    view: *const mapd_view,
+    path: *const mapd_path,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_path_conflict,
+    capacity: usize,
+    count: *mut usize,
+    lanes: *mut mapd_conflict_lane,
+    lane_capacity: usize,
+    lane_count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let (view, path) = (view_of(view)?, path_of(path)?);
+            let mapd_scratch { conflicts, conflict_lanes, .. } = get_mut(scratch, "a scratch")?;
+            view.conflicts(&path, conflicts, conflict_lanes)?;
+            let own = List { out, capacity, count };
+            let of_lanes = List { out: lanes, capacity: lane_capacity, count: lane_count };
+            write_conflicts(conflicts, conflict_lanes, own, of_lanes)
+        })
+    }
+}
+
+/// As `mapd_path_crossings`, with lights that are out of service now left out.
+///
+/// Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_view_crossings(
+    view: *const mapd_view,
+    path: *const mapd_path,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_path_crossing,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let (view, path) = (view_of(view)?, path_of(path)?);
+            let found = &mut get_mut(scratch, "a scratch")?.crossings;
+            view.crossings(&path, found)?;
+            List { out, capacity, count }.write(found.iter().map(Into::into))
+        })
+    }
+}
+
+/// As `mapd_path_facts`, with today's permissions; a light that is out of service now governs nothing.
+///
+/// Errors: `MAPD_CODE_FOREIGN_ID` for a path on another map.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mapd_view_facts(
+    view: *const mapd_view,
+    path: *const mapd_path,
+    scratch: *mut mapd_scratch,
+    out: *mut mapd_path_fact,
+    capacity: usize,
+    count: *mut usize,
+    error: *mut mapd_error,
+) -> mapd_code {
+    unsafe {
+        answer(error, || {
+            let (view, path) = (view_of(view)?, path_of(path)?);
+            let found = &mut get_mut(scratch, "a scratch")?.facts;
+            view.facts(&path, found)?;
             List { out, capacity, count }.write(found.iter().map(Into::into))
         })
     }

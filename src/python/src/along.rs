@@ -12,7 +12,7 @@ use mapd_client::QueryError;
 use mapd_client::glam::{DVec2, DVec3};
 use mapd_client::path::{
     ConflictLane, Corridor, CorridorEdges, EdgeKind, EdgeMark, Path, PathChange, PathChangeKind,
-    PathConflict, PathFact, PathFactKind, YieldsBy,
+    PathConflict, PathCrossing, PathFact, PathFactKind, YieldsBy,
 };
 use mapd_client::route::{RouteScratch, RouteStep};
 use mapd_client::rules::{LaneLine, LineSource, Turn};
@@ -128,10 +128,8 @@ fn fact<'py>(py: Python<'py>, held: &Arc<Held>, fact: &PathFact) -> PyResult<Bou
 pub(crate) fn facts<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
-    path: &Path<'_, '_>,
+    found: &[PathFact],
 ) -> PyResult<Vec<Bound<'py, PyAny>>> {
-    let mut found = Vec::new();
-    py.detach(|| path.facts(&mut found));
     found.iter().map(|one| fact(py, held, one)).collect()
 }
 
@@ -186,11 +184,9 @@ pub(crate) fn segment_columns<'py>(
 pub(crate) fn crossings<'py>(
     py: Python<'py>,
     held: &Arc<Held>,
-    path: &Path<'_, '_>,
+    found: &[PathCrossing],
 ) -> PyResult<Vec<Bound<'py, PyAny>>> {
-    let mut found = Vec::new();
-    path.crossings(&mut found);
-    let one = |own: &mapd_client::path::PathCrossing| {
+    let one = |own: &PathCrossing| {
         let fields = fields!(
             py,
             start = own.along[0],

@@ -298,7 +298,9 @@ impl Path {
 
     /// What it comes by, in ascending S: junctions, signals, lines, types of roads and lanes, countries, access, bridges, tunnels, holes.
     fn facts<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        crate::along::facts(py, &self.held, &self.path().map_err(query)?)
+        let (path, mut found) = (self.path().map_err(query)?, Vec::new());
+        py.detach(|| path.facts(&mut found));
+        crate::along::facts(py, &self.held, &found)
     }
 
     /// The speed limits along it, in ascending S without gaps.
@@ -329,7 +331,9 @@ impl Path {
 
     /// Crosswalks and bicycle crossings over it, in ascending S.
     fn crossings<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
-        crate::along::crossings(py, &self.held, &self.path().map_err(query)?)
+        let (path, mut found) = (self.path().map_err(query)?, Vec::new());
+        path.crossings(&mut found);
+        crate::along::crossings(py, &self.held, &found)
     }
 
     /// Gaps, overlaps and kinks, and changes of lane, in ascending S.

@@ -7,8 +7,9 @@ use crate::lane::{Lane, edges_of};
 use crate::map::Map;
 use crate::rules::Basis;
 use mapd_archive::{
-    ArchivedConflictRow, ArchivedLaneNodeRow, ArchivedPieceRow, ConflictKind, EdgeKind, NONE,
-    Relation, RelationReason, VehicleClass, beside_row, edge_flags, node_flags, section_step,
+    ArchivedConflictRow, ArchivedLaneNodeRow, ArchivedPieceRow, ConflictKind, EdgeKind,
+    NO_RELATION, NONE, Relation, RelationReason, VehicleClass, beside_row, edge_flags, node_flags,
+    section_step,
 };
 
 /// A node of the lane graph: a lane, or a piece of one, travelled in one direction. Under an overlay ([`View`](crate::view::View)) a [`RouteCost`](crate::route::RouteCost) is also asked
@@ -313,13 +314,14 @@ impl<'a> Conflict<'a> {
         Basis::without_rules(self.reason())
     }
 
-    /// Who goes first as it is stored, by what right-before-left and the rule of turns would say too.
+    /// Whether it is one that somebody has to go first at.
+    pub(crate) fn has_relation(&self) -> bool {
+        self.row.relation() != NO_RELATION
+    }
+
+    /// Who goes first as it is stored, by what right-before-left and the rule of turns would say too; [`Relation::Open`] where nothing decides.
     pub(crate) fn stored_relation(&self) -> Relation {
-        match Relation::from_code(self.row.relation()) {
-            // Nothing decides: of what is not known, only directions tell it apart.
-            Relation::Open => Relation::Unknown,
-            relation => relation,
-        }
+        Relation::from_code(self.row.relation())
     }
 
     /// Why; where nothing is written, which rule of the road would have to say.

@@ -77,6 +77,7 @@ pub mod compiling {
     pub use crate::parallel::{MostBend, Parallel, ParallelFrom};
     pub use crate::polyline::LineReader;
     pub use crate::rules::entry_sign::EntrySign;
+    pub use crate::rules::right_of_way::{LightGroup, Movement};
     pub use crate::rules::speed_signs::{SpeedSigns, Zone, is_of_speed};
     pub use crate::signals::lane::signals_of_lanes;
 }

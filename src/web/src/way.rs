@@ -100,7 +100,7 @@ pub fn way(view: View<'_>, from: [f64; 2], to: [f64; 2]) -> Result<DrawnWay, Str
         .path(&steps, &PathOptions::default(), &mut buffer)
         .map_err(|error| error.to_string())?;
     let (mut found, mut lanes) = (Vec::new(), Vec::new());
-    path.conflicts(&mut found, &mut lanes);
+    view.conflicts(&path, &mut found, &mut lanes).map_err(|error| error.to_string())?;
     let mut told = Vec::new();
     view.restrictions_on_path(&path, car, &mut told).map_err(|error| error.to_string())?;
     let conflicts = found.iter().filter_map(|conflict| {

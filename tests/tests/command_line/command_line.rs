@@ -407,10 +407,10 @@ fn signals_are_a_row_each() {
     let input = "road_id,s,lane_id,distance\n0,80,1,100\n0,30,-1,100\n0,80,1,x\n";
     let output = run(&["query", &source, "signals"], input);
     let errors = String::from_utf8_lossy(&output.stderr);
-    let expected = "lane_id,id,class,distance,road_id,s,t,x,y,z,state_machine,method,value,error\n\
-        1,V,speed_limit,20.0,0,60.0,5.0,70.0,5.0,2.0,,orientation,13.88888888888889,\n\
-        1,L,traffic_light,79.0,0,1.0,5.0,11.0,5.0,3.0,red yellow green:red red_yellow yellow green flashing_yellow off,orientation,,\n\
-        1,,,,,,,,,,,,,\"expected a finite number in column distance, found \"\"x\"\"\"\n";
+    let expected = "lane_id,id,class,distance,road_id,s,t,x,y,z,state_machine,method,value,out_of_service,error\n\
+        1,V,speed_limit,20.0,0,60.0,5.0,70.0,5.0,2.0,,orientation,13.88888888888889,,\n\
+        1,L,traffic_light,79.0,0,1.0,5.0,11.0,5.0,3.0,red yellow green:red red_yellow yellow green flashing_yellow off,orientation,,,\n\
+        1,,,,,,,,,,,,,,\"expected a finite number in column distance, found \"\"x\"\"\"\n";
     assert_eq!(String::from_utf8_lossy(&output.stdout), expected, "{errors}");
     let output = run(&["inspect", &source], "");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

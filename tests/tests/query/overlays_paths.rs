@@ -3,7 +3,8 @@
 use crate::overlays::{at, entries, entry, lane_id, two_lanes, with};
 use mapd_archive::open_overlay;
 use mapd_query::path::{
-    Corridor, Path, PathBuffer, PathError, PathOptions, PathSegment, steps_of_lanes,
+    Corridor, Path, PathBuffer, PathError, PathFactKind, PathOptions, PathSegment, Yields,
+    steps_of_lanes,
 };
 use mapd_query::route::{
     Enter, PositionOnLane, RouteScratch, RouteStep, ShortestLength, ShortestTime,
@@ -13,7 +14,8 @@ use mapd_query::view::View;
 use mapd_query::vocabulary::VehicleClass;
 use mapd_query::{Map, QueryError};
 use mapd_tests::carried;
-use mapd_tests::maps::{Random, open};
+use mapd_tests::crossroads::{ARMS, crossroads, left_hand_crossroads, light, signal};
+use mapd_tests::maps::{Random, open, open_text};
 use mapd_tests::overlays::over;
 
 const CAR: VehicleClass = VehicleClass::PassengerCar;
@@ -329,4 +331,112 @@ fn a_path_on_another_map() {
         let time = other.travel_time_on_path(&path, [0.0, 1.0], CAR);
         assert!(matches!(time, Err(PathError::Map(QueryError::ForeignId))), "{time:?}");
     });
+}
+
+/// A way over a crossing under a view: each lane that meets it with all that is said of it, and who yields at the crosswalk behind the light.
+fn met(view: View<'_>, keys: &[String; 3]) -> (Vec<String>, Vec<Yields>) {
+    let map = view.map();
+    let lane = |key: &String| map.lane_by_key(&key.parse().expect("a key")).expect("a lane");
+    let lanes: Vec<_> = keys.iter().map(|key| lane(key).lane_id()).collect();
+    let (mut steps, mut buffer) = (Vec::new(), PathBuffer::default());
+    // The first arm is driven from 40 m before the crossing, against its s.
+    steps_of_lanes(map, &lanes, [40.0, 40.0], &mut steps).expect("steps");
+    let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+    let (mut conflicts, mut lanes, mut crossings) = (Vec::new(), Vec::new(), Vec::new());
+    view.conflicts(&path, &mut conflicts, &mut lanes).expect("its own");
+    view.crossings(&path, &mut crossings).expect("its own");
+    let line = |one: &mapd_query::path::ConflictLane| {
+        let said = (one.along, one.kind, one.yields, one.reason, one.relation, one.equal_roads);
+        format!("{} {said:?} {}", map.lane(one.other).expect("a lane").key(), one.wait)
+    };
+    (lanes.iter().map(line).collect(), crossings.iter().map(|one| one.yields).collect())
+}
+
+/// Lights that are out of service decide as little as if the file had none of them: signs do, then its priorities, then nothing that is written. In left-hand traffic too.
+#[test]
+fn lights_out_of_service_decide_nothing() {
+    type Make = fn([String; ARMS], &str, &str) -> String;
+    let mut changed = 0;
+    for (make, out) in [(crossroads as Make, -1), (left_hand_crossroads as Make, 1)] {
+        for off in [&[0, 1, 2, 3][..], &[0], &[1, 3]] {
+            let arms = |has_all: bool| {
+                std::array::from_fn(|arm| {
+                    let is_there = has_all || !off.contains(&arm);
+                    let lamp = if is_there { light(&format!("L{arm}")) } else { String::new() };
+                    let sign = ["206", "", "205", ""][arm];
+                    let sign = signal(&format!("S{arm}"), 2.0, 5.0, "-", sign, "");
+                    lamp + &sign + &signal(&format!("C{arm}"), 0.5, 0.0, "none", "293", "")
+                })
+            };
+            let priority = "<priority high=\"1\" low=\"3\"/>";
+            let [lit, dark] = [true, false].map(|all| open_text(&make(arms(all), priority, "")));
+            let names: Vec<_> = off.iter().map(|arm| format!("\"L{arm}\"")).collect();
+            let text = entries(&[format!(
+                r#"{{"id":"off","kind":"signal-off","signals":[{}]}}"#,
+                names.join(",")
+            )]);
+            let (bytes, resolved) = over(lit.map(), &text, false);
+            assert_eq!(resolved.unplaced, []);
+            let overlay = open_overlay(&bytes).expect("opens");
+            let today = View::new(lit.map(), Some(&overlay), at(0.0)).expect("its own");
+            let always = View::new(lit.map(), None, at(0.0)).expect("a view");
+            let without = View::new(dark.map(), None, at(0.0)).expect("a view");
+            for (from, to) in (0..ARMS).flat_map(|from| (0..ARMS).map(move |to| (from, to))) {
+                if from == to {
+                    continue;
+                }
+                let keys = [
+                    format!("{from}:0:{}", -out),
+                    format!("{from}{to}:0:{out}"),
+                    format!("{to}:0:{out}"),
+                ];
+                let found = met(today, &keys);
+                assert!(!found.0.is_empty(), "{keys:?}");
+                assert_eq!(found, met(without, &keys), "{keys:?}, off {off:?}");
+                changed += usize::from(found != met(always, &keys));
+            }
+        }
+    }
+    assert!(changed > 20, "{changed}");
+}
+
+/// A light that is out of service governs nothing, and who may use a lane is what holds today.
+#[test]
+fn facts_are_those_of_today() {
+    let text = entries(&[entry("works", r#""kind":"only","vehicles":["truck"]"#)]);
+    with(&text, at(0.0), |view| {
+        along(view, -1, [10.0, 90.0], |path| {
+            let mut facts = Vec::new();
+            view.facts(&path, &mut facts).expect("its own");
+            let access: Vec<_> = facts
+                .iter()
+                .filter_map(|fact| match fact.kind {
+                    PathFactKind::Access { classes } => {
+                        Some((fact.along, classes & CAR.bit() != 0))
+                    }
+                    _ => None,
+                })
+                .collect();
+            assert_eq!(access, [([0.0, 30.0], true), ([30.0, 50.0], false), ([50.0, 80.0], true)]);
+        });
+    });
+    let snapshot =
+        open_text(&crossroads(std::array::from_fn(|arm| light(&format!("L{arm}"))), "", ""));
+    let map = snapshot.map();
+    let off = entries(&[r#"{"id":"off","kind":"signal-off","signals":["L0"]}"#.to_owned()]);
+    let (bytes, _) = over(map, &off, false);
+    let overlay = open_overlay(&bytes).expect("opens");
+    let today = View::new(map, Some(&overlay), at(0.0)).expect("its own");
+    for (arm, expected) in [("0", false), ("1", true)] {
+        let lane = map.lane_by_key(&format!("{arm}:0:1").parse().expect("a key")).expect("a lane");
+        let (mut steps, mut buffer, mut facts) = (Vec::new(), PathBuffer::default(), Vec::new());
+        steps_of_lanes(map, &[lane.lane_id()], [40.0, 0.0], &mut steps).expect("steps");
+        let path = map.path(&steps, &PathOptions::default(), &mut buffer).expect("a path");
+        today.facts(&path, &mut facts).expect("its own");
+        let governs = facts.iter().find_map(|fact| match fact.kind {
+            PathFactKind::Signal { governs, .. } => Some(governs),
+            _ => None,
+        });
+        assert_eq!(governs, Some(expected), "{arm}");
+    }
 }

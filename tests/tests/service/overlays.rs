@@ -315,7 +315,7 @@ fn speeds_heed_it() {
     assert!(String::from_utf8_lossy(&refused.stderr).contains("nearest does not heed --overlay"));
 }
 
-/// `query signals` with the option follows no lanes that are closed today, and without it the map's.
+/// `query signals` with the option follows no lanes that are closed today and marks what is out of service, and without it the map's.
 #[test]
 fn signals_heed_it() {
     let scene = Scene::new();
@@ -335,11 +335,20 @@ fn signals_heed_it() {
         assert!(output.status.success(), "{output:?}");
         let said = String::from_utf8_lossy(&output.stdout).into_owned();
         let seen = said.lines().filter(|row| row.contains(",light,"));
-        seen.map(|row| row.split(',').next().unwrap_or_default().to_owned()).collect::<Vec<_>>()
+        // The place, and the entry by which it is out of service.
+        let ends = |row: &str| {
+            let fields: Vec<_> = row.split(',').collect();
+            format!("{} {}", fields[0], fields[fields.len() - 2])
+        };
+        seen.map(ends).collect::<Vec<_>>()
     };
     // A place from which no signal is seen has no row.
-    assert_eq!(lights(&[]), ["before", "behind"]);
-    assert_eq!(lights(&["--overlay"]), ["behind"]);
+    assert_eq!(lights(&[]), ["before ", "behind "]);
+    assert_eq!(lights(&["--overlay"]), ["behind "]);
+    let off = r#"{"entries":[{"id":"dark","kind":"signal-off","signals":["light"]}]}"#;
+    scene.ends(&["apply", "-"], off, 0);
+    assert_eq!(lights(&[]), ["before ", "behind "]);
+    assert_eq!(lights(&["--overlay"]), ["behind dark"]);
 }
 
 /// Where daemon and client meet may be said behind what is done, too: it was refused there.

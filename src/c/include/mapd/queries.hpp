@@ -232,12 +232,10 @@ class PathQueries : public detail::Owner<mapd_path, mapd_path_close> {
   // Who meets a path: other lanes' traffic, where it comes from, and who crosses on foot.
 
   /// Where other traffic meets the path, in ascending S: on lanes of junctions and others that the map knows to conflict, where lanes merge into one, and on
-  /// roads that lie at the same place. What the path itself drives just before or behind is left out.
-  Result<std::vector<PathConflict>> try_conflicts(Scratch& scratch) const {
-    return detail::list<PathConflict>([&](auto... rest) { return mapd_path_conflicts(get(), scratch.get(), rest...); });
-  }
-  Error try_conflicts(Scratch& scratch, std::vector<PathConflict>& out) const {
-    return detail::list_into(out, [&](auto... rest) { return mapd_path_conflicts(get(), scratch.get(), rest...); });
+  /// roads that lie at the same place. What the path itself drives just before or behind is left out. Lanes that lead into each other are one conflict where
+  /// what they have in common with the path touches; `lanes` gets all lanes, those of a conflict behind each other, and `lane_count` their number.
+  Result<PathConflicts> try_conflicts(Scratch& scratch) const {
+    return detail::conflicts<PathConflicts>([&](auto... rest) { return mapd_path_conflicts(get(), scratch.get(), rest...); });
   }
 
   /// Crosswalks and bicycle crossings over the path, in ascending S, whether the file writes them as signals or as objects.
@@ -249,8 +247,7 @@ class PathQueries : public detail::Owner<mapd_path, mapd_path_close> {
   }
 
 #if MAPD_EXCEPTIONS
-  std::vector<PathConflict> conflicts(Scratch& scratch) const { return try_conflicts(scratch).value(); }
-  void conflicts(Scratch& scratch, std::vector<PathConflict>& out) const { detail::must(try_conflicts(scratch, out)); }
+  PathConflicts conflicts(Scratch& scratch) const { return try_conflicts(scratch).value(); }
   std::vector<PathCrossing> crossings(Scratch& scratch) const { return try_crossings(scratch).value(); }
   void crossings(Scratch& scratch, std::vector<PathCrossing>& out) const { detail::must(try_crossings(scratch, out)); }
 #endif
@@ -828,19 +825,20 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
 
   // Who meets a path: other lanes' traffic, where it comes from, and who crosses on foot.
 
-  /// The lanes on which traffic comes to a conflict of a path, back to a distance [m] from its first place on the other lane, each by the shortest way, nearest
-  /// first. The other lane itself comes first. Changes of lane are not among the ways. `vehicle`, a `MAPD_VEHICLE_CLASS_…`, is the class of who comes, not of
-  /// who drives the path: lanes that are closed to it bring none, the other lane neither.
-  Result<std::vector<ConflictApproach>> try_approaches(const PathConflict& conflict, double distance, std::uint8_t vehicle, Scratch& scratch) const {
-    return detail::list<ConflictApproach>([&](auto... rest) { return mapd_conflict_approaches(get(), &conflict, distance, vehicle, scratch.get(), rest...); });
+  /// The lanes on which traffic comes to a conflict of a path, back to a distance [m] from its first place on the other lanes, each by the shortest way,
+  /// nearest first. `lanes` are those of the conflict, from its `lanes_from` to its `lanes_to`; those come first that none of the others leads to. Changes of
+  /// lane are not among the ways. `vehicle`, a `MAPD_VEHICLE_CLASS_…`, is the class of who comes, not of who drives the path: lanes that are closed to it
+  /// bring none, the other lanes neither.
+  Result<std::vector<ConflictApproach>> try_approaches(span<const ConflictLane> lanes, double distance, std::uint8_t vehicle, Scratch& scratch) const {
+    return detail::list<ConflictApproach>([&](auto... rest) { return mapd_conflict_approaches(get(), lanes.data(), lanes.size(), distance, vehicle, scratch.get(), rest...); });
   }
-  Error try_approaches(const PathConflict& conflict, double distance, std::uint8_t vehicle, Scratch& scratch, std::vector<ConflictApproach>& out) const {
-    return detail::list_into(out, [&](auto... rest) { return mapd_conflict_approaches(get(), &conflict, distance, vehicle, scratch.get(), rest...); });
+  Error try_approaches(span<const ConflictLane> lanes, double distance, std::uint8_t vehicle, Scratch& scratch, std::vector<ConflictApproach>& out) const {
+    return detail::list_into(out, [&](auto... rest) { return mapd_conflict_approaches(get(), lanes.data(), lanes.size(), distance, vehicle, scratch.get(), rest...); });
   }
 
 #if MAPD_EXCEPTIONS
-  std::vector<ConflictApproach> approaches(const PathConflict& conflict, double distance, std::uint8_t vehicle, Scratch& scratch) const { return try_approaches(conflict, distance, vehicle, scratch).value(); }
-  void approaches(const PathConflict& conflict, double distance, std::uint8_t vehicle, Scratch& scratch, std::vector<ConflictApproach>& out) const { detail::must(try_approaches(conflict, distance, vehicle, scratch, out)); }
+  std::vector<ConflictApproach> approaches(span<const ConflictLane> lanes, double distance, std::uint8_t vehicle, Scratch& scratch) const { return try_approaches(lanes, distance, vehicle, scratch).value(); }
+  void approaches(span<const ConflictLane> lanes, double distance, std::uint8_t vehicle, Scratch& scratch, std::vector<ConflictApproach>& out) const { detail::must(try_approaches(lanes, distance, vehicle, scratch, out)); }
 #endif
 
   // Routes by request: several starts and goals, lanes to avoid, costs of turns; alternatives; the network that can be reached.
@@ -1530,6 +1528,28 @@ class ViewQueries : public detail::Owner<mapd_view, mapd_view_close> {
     return detail::list_into(out, [&](auto... rest) { return mapd_view_segments_on_path(get(), path.get(), vehicle, scratch.get(), rest...); });
   }
 
+  /// As `mapd_path_conflicts`, with lights that are out of service now left out: where they would decide, signs do, then priorities of the file, then rules of
+  /// the road.
+  Result<PathConflicts> try_conflicts(const PathQueries& path, Scratch& scratch) const {
+    return detail::conflicts<PathConflicts>([&](auto... rest) { return mapd_view_conflicts(get(), path.get(), scratch.get(), rest...); });
+  }
+
+  /// As `mapd_path_crossings`, with lights that are out of service now left out.
+  Result<std::vector<PathCrossing>> try_crossings(const PathQueries& path, Scratch& scratch) const {
+    return detail::list<PathCrossing>([&](auto... rest) { return mapd_view_crossings(get(), path.get(), scratch.get(), rest...); });
+  }
+  Error try_crossings(const PathQueries& path, Scratch& scratch, std::vector<PathCrossing>& out) const {
+    return detail::list_into(out, [&](auto... rest) { return mapd_view_crossings(get(), path.get(), scratch.get(), rest...); });
+  }
+
+  /// As `mapd_path_facts`, with today's permissions; a light that is out of service now governs nothing.
+  Result<std::vector<PathFact>> try_facts(const PathQueries& path, Scratch& scratch) const {
+    return detail::list<PathFact>([&](auto... rest) { return mapd_view_facts(get(), path.get(), scratch.get(), rest...); });
+  }
+  Error try_facts(const PathQueries& path, Scratch& scratch, std::vector<PathFact>& out) const {
+    return detail::list_into(out, [&](auto... rest) { return mapd_view_facts(get(), path.get(), scratch.get(), rest...); });
+  }
+
 #if MAPD_EXCEPTIONS
   std::vector<PathRestriction> restrictions_on_path(const PathQueries& path, std::uint8_t vehicle) const { return try_restrictions_on_path(path, vehicle).value(); }
   void restrictions_on_path(const PathQueries& path, std::uint8_t vehicle, std::vector<PathRestriction>& out) const { detail::must(try_restrictions_on_path(path, vehicle, out)); }
@@ -1539,6 +1559,11 @@ class ViewQueries : public detail::Owner<mapd_view, mapd_view_close> {
   PathTime travel_time_on_path(const PathQueries& path, double from, double to, std::uint8_t vehicle) const { return try_travel_time_on_path(path, from, to, vehicle).value(); }
   std::vector<PathSegment> segments_on_path(const PathQueries& path, std::uint8_t vehicle, Scratch& scratch) const { return try_segments_on_path(path, vehicle, scratch).value(); }
   void segments_on_path(const PathQueries& path, std::uint8_t vehicle, Scratch& scratch, std::vector<PathSegment>& out) const { detail::must(try_segments_on_path(path, vehicle, scratch, out)); }
+  PathConflicts conflicts(const PathQueries& path, Scratch& scratch) const { return try_conflicts(path, scratch).value(); }
+  std::vector<PathCrossing> crossings(const PathQueries& path, Scratch& scratch) const { return try_crossings(path, scratch).value(); }
+  void crossings(const PathQueries& path, Scratch& scratch, std::vector<PathCrossing>& out) const { detail::must(try_crossings(path, scratch, out)); }
+  std::vector<PathFact> facts(const PathQueries& path, Scratch& scratch) const { return try_facts(path, scratch).value(); }
+  void facts(const PathQueries& path, Scratch& scratch, std::vector<PathFact>& out) const { detail::must(try_facts(path, scratch, out)); }
 #endif
 
   // Ways, corridors, signals and poses under what is laid over a map.

@@ -1175,6 +1175,12 @@ class View:
         """How long a vehicle takes from one S of a path to another [m] at these limits. What is closed takes as long as if it were open."""
     def segments_on_path(self, path: Path, *, vehicle: str = "passengerCar") -> PathSegments:
         """From which lanes a path's goal is reached, none of them through what is closed now, and until where a change of lane may wait."""
+    def conflicts(self, path: Path, country: str | None = None) -> list[PathConflict]:
+        """As Path.conflicts, with lights that are out of service now left out: where they would decide, signs do, then priorities of the file, then the rules of a `country`."""
+    def crossings(self, path: Path) -> list[PathCrossing]:
+        """As Path.crossings, with lights that are out of service now left out."""
+    def facts(self, path: Path) -> list[PathFact]:
+        """As Path.facts, with today's permissions; a light that is out of service now governs nothing."""
     def signal_out_of_service(self, signal: Signal) -> OverlayEntry | None:
         """The entry by which a signal is out of service now."""
     def route(

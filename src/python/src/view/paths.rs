@@ -3,7 +3,7 @@
 use super::{Speeds, View};
 use crate::batch::{answer, fields, result};
 use crate::errors::{query, raise};
-use crate::input::vehicle_of;
+use crate::input::{rules_of, vehicle_of};
 use crate::path::Path;
 use crate::room::Room;
 use mapd_client::path::PathError;
@@ -124,6 +124,42 @@ impl View {
         let (view, vehicle) = (self.view(), vehicle_of(vehicle)?);
         py.detach(|| view.segments_on_path(&path, vehicle, &mut found)).map_err(query)?;
         crate::along::segment_columns(py, &self.held, &found)
+    }
+
+    /// As Path.conflicts, with lights that are out of service now left out: where they would decide, signs do, then priorities of the file, then the rules of a `country`.
+    #[pyo3(signature = (path, country = None))]
+    fn conflicts<'py>(
+        &self,
+        py: Python<'py>,
+        path: &Bound<'py, Path>,
+        country: Option<&str>,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let (path, rules) = (path.get().path().map_err(query)?, rules_of(country)?);
+        let (mut found, mut lanes) = (Vec::new(), Vec::new());
+        self.view().conflicts(&path, &mut found, &mut lanes).map_err(query)?;
+        crate::along::conflicts(py, &self.held, &found, &lanes, rules)
+    }
+
+    /// As Path.crossings, with lights that are out of service now left out.
+    fn crossings<'py>(
+        &self,
+        py: Python<'py>,
+        path: &Bound<'py, Path>,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let (path, mut found) = (path.get().path().map_err(query)?, Vec::new());
+        self.view().crossings(&path, &mut found).map_err(query)?;
+        crate::along::crossings(py, &self.held, &found)
+    }
+
+    /// As Path.facts, with today's permissions; a light that is out of service now governs nothing.
+    fn facts<'py>(
+        &self,
+        py: Python<'py>,
+        path: &Bound<'py, Path>,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let (path, view, mut found) = (path.get().path().map_err(query)?, self.view(), Vec::new());
+        py.detach(|| view.facts(&path, &mut found)).map_err(query)?;
+        crate::along::facts(py, &self.held, &found)
     }
 
     /// As Path.corridor [m], under the overlay's current entries, beside the path too; speeds are today's.

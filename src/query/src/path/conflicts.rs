@@ -8,7 +8,8 @@ use crate::graph::LaneNode;
 use crate::ids::LaneId;
 use crate::lane::Lane;
 use crate::map::Map;
-use crate::rules::{Basis, by_rules};
+use crate::rules::{Basis, by_rules, right_of_way};
+use crate::view::View;
 use mapd_archive::{ConflictKind, Relation, RelationReason, RoadRules};
 
 /// Who goes first.
@@ -274,7 +275,7 @@ fn apart([a_low, a_high]: [f64; 2], [b_low, b_high]: [f64; 2]) -> f64 {
     (b_low - a_high).max(a_low - b_high)
 }
 
-impl Path<'_, '_> {
+impl<'a> Path<'a, '_> {
     /// Where other lanes meet the path, in ascending S: those of junctions that the map knows to conflict; lanes that lead into the path's own from
     /// elsewhere, and lanes beside it that end and have to be left for it ([`ConflictKind::Merge`]); and lanes of other roads in whose area the
     /// driven line lies on the same level ([`ConflictKind::Overlap`], looked for every 2 m, over thousands of kilometres only in part). Outside junctions, stop, give-way and priority signs up to 30 m before say
@@ -285,18 +286,30 @@ impl Path<'_, '_> {
     /// touches, on the path and on them; `lanes` lists them all, those of a conflict behind each other. Both lists are emptied first; they grow only if their capacity is
     /// too small. What people on foot and bicycles cross on is [`Path::crossings`].
     pub fn conflicts(&self, out: &mut Vec<PathConflict>, lanes: &mut Vec<ConflictLane>) {
-        self.meeting_lanes(lanes);
+        self.conflicts_in(None, out, lanes);
+    }
+
+    /// As [`Path::conflicts`], with the lights that work in a view.
+    pub(crate) fn conflicts_in(
+        &self,
+        view: Option<View<'a>>,
+        out: &mut Vec<PathConflict>,
+        lanes: &mut Vec<ConflictLane>,
+    ) {
+        self.meeting_lanes(view, lanes);
         self.group(lanes, out);
     }
 
     /// The lanes that meet the path, in ascending S.
-    fn meeting_lanes(&self, out: &mut Vec<ConflictLane>) {
+    fn meeting_lanes(&self, view: Option<View<'a>>, out: &mut Vec<ConflictLane>) {
+        let view = view.filter(View::has_signals_out);
         out.clear();
         let (mut next, mut looks) = (0, Looks::of(self.buffer.spans.len()));
         while let Some((piece, end)) = self.run(next) {
             let first = std::mem::replace(&mut next, end);
             let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
-            let stop = lane.movement_stop();
+            let works = |signal| view.is_none_or(|view| view.is_in_service(signal));
+            let stop = lane.movement_stop_where(works);
             for conflict in lane.conflicts() {
                 let Some(other) = conflict.other() else { continue };
                 let Some(along) = self.common(&piece, conflict.s_range()) else { continue };
@@ -305,7 +318,14 @@ impl Path<'_, '_> {
                     continue;
                 }
                 let line = stop.and_then(|line| self.along_before(line.lane, line.s, along[0]));
-                let (relation, reason) = (conflict.stored_relation(), conflict.reason());
+                let is_decided = view.is_some() && conflict.has_relation();
+                let today = || right_of_way::without_lights(&lane, &other, works);
+                let today = if is_decided { today() } else { None };
+                let stored = (conflict.stored_relation(), conflict.reason());
+                let (relation, reason) = today.unwrap_or(stored);
+                // Nothing decides: of what is not known, only directions tell it apart.
+                let relation =
+                    if relation == Relation::Open { Relation::Unknown } else { relation };
                 out.push(ConflictLane {
                     along,
                     other: other.lane_id(),
@@ -322,7 +342,7 @@ impl Path<'_, '_> {
             self.merges(first, &piece, &lane, out);
             self.overlaps(first, &piece, &lane, &mut looks, out);
             for own in out.get_mut(told..).unwrap_or(&mut []) {
-                self.settle(end - 1, own);
+                self.settle(end - 1, view, own);
             }
         }
         sort(out);

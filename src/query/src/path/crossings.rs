@@ -2,9 +2,11 @@
 
 use super::Path;
 use super::conflicts::Yields;
+use super::settle::is_lit;
 use crate::extents::SRange;
 use crate::lane::Lane;
 use crate::rules::{LaneLine, LineSource};
+use crate::view::View;
 use mapd_archive::Class;
 
 /// A line to stop at, or a light, is for a crossing up to so far behind it `[m]`.
@@ -29,6 +31,11 @@ impl<'a> Path<'a, '_> {
     /// Crosswalks and bicycle crossings over the path, in ascending S, whether the file writes them as signals or as objects. `out` is emptied
     /// first; it grows only if its capacity is too small.
     pub fn crossings(&self, out: &mut Vec<PathCrossing>) {
+        self.crossings_in(None, out);
+    }
+
+    /// As [`Path::crossings`], with the lights that work in a view.
+    pub(crate) fn crossings_in(&self, view: Option<View<'a>>, out: &mut Vec<PathCrossing>) {
         out.clear();
         for piece in &self.buffer.pieces {
             let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
@@ -74,7 +81,7 @@ impl<'a> Path<'a, '_> {
             }
             for light in lane.signals().filter(|one| one.is_for(piece.forward)) {
                 let along = self.along_on(piece, light.s_on(&lane));
-                if let Some(along) = along.filter(|_| light.is_vehicle_light()) {
+                if let Some(along) = along.filter(|_| is_lit(&light, view)) {
                     behind(out, along).for_each(|own| own.yields = Yields::Lights);
                 }
             }

@@ -2,10 +2,12 @@
 
 use super::{Path, Piece};
 use crate::extents::SRange;
+use crate::graph::LaneNode;
 use crate::ids::{JunctionId, LaneId, SignalId};
 use crate::lane::Lane;
 use crate::map::Map;
 use crate::rules::{LaneLine, LineSource, Turn};
+use crate::view::View;
 use glam::DVec3;
 use mapd_archive::{LaneType, RoadType, StructureKind, string};
 
@@ -44,7 +46,7 @@ pub enum PathFactKind {
     Signal {
         /// The signal.
         signal: SignalId,
-        /// Whether it is for what the path does: a light with arrows is for some of the turns at the next junction only.
+        /// Whether it is for what the path does: a light with arrows is for some of the turns at the next junction only, one that is out of service for none.
         governs: bool,
     },
     /// A stop line, crosswalk or bicycle crossing.
@@ -95,11 +97,16 @@ impl<'a> Path<'a, '_> {
     /// may use the lane, bridges and tunnels, and holes of the map. What goes on over several lanes stands once. Speed limits are [`Path::speeds`]. `out` is emptied
     /// first; it grows only if its capacity is too small.
     pub fn facts(&self, out: &mut Vec<PathFact>) {
+        self.facts_in(None, out);
+    }
+
+    /// As [`Path::facts`], with the lights that work in a view, and who may use lanes there.
+    pub(crate) fn facts_in(&self, view: Option<View<'a>>, out: &mut Vec<PathFact>) {
         out.clear();
         for (number, piece) in self.buffer.pieces.iter().enumerate() {
             let Some(lane) = Lane::new(self.map, piece.lane) else { continue };
-            self.points(number, piece, &lane, out);
-            self.stretches(piece, &lane, out);
+            self.points(number, piece, &lane, view, out);
+            self.stretches(piece, &lane, view, out);
         }
         self.holes(out);
         // Sorting in place allocates nothing; what begins at one place keeps an order of its own.
@@ -118,7 +125,14 @@ impl<'a> Path<'a, '_> {
     }
 
     /// Signals and lines.
-    fn points(&self, number: usize, piece: &Piece, lane: &Lane<'a>, out: &mut Vec<PathFact>) {
+    fn points(
+        &self,
+        number: usize,
+        piece: &Piece,
+        lane: &Lane<'a>,
+        view: Option<View<'a>>,
+        out: &mut Vec<PathFact>,
+    ) {
         let own = lane.lane_id();
         for one in lane.signals().filter(|one| one.is_for(piece.forward)) {
             let signal = one.signal();
@@ -127,8 +141,10 @@ impl<'a> Path<'a, '_> {
                 continue;
             }
             let light = signal.light();
-            let governs = light
-                .is_none_or(|light| self.next_turn(number).is_none_or(|turn| light.governs(turn)));
+            let works = || view.is_none_or(|view| view.is_in_service(signal.signal_id()));
+            let governs = light.is_none_or(|light| {
+                works() && self.next_turn(number).is_none_or(|turn| light.governs(turn))
+            });
             let kind = PathFactKind::Signal { signal: signal.signal_id(), governs };
             out.push(PathFact { along: [along; 2], lane: own, kind });
         }
@@ -149,7 +165,13 @@ impl<'a> Path<'a, '_> {
         lanes.find(|lane| lane.road().junction_row().is_some()).map(|lane| lane.turn())
     }
 
-    fn stretches(&self, piece: &Piece, lane: &Lane<'a>, out: &mut Vec<PathFact>) {
+    fn stretches(
+        &self,
+        piece: &Piece,
+        lane: &Lane<'a>,
+        view: Option<View<'a>>,
+        out: &mut Vec<PathFact>,
+    ) {
         let road = lane.road();
         let whole = self.ends_of(piece);
         let id = lane.lane_id();
@@ -181,9 +203,15 @@ impl<'a> Path<'a, '_> {
             }
         }
         for node in lane.nodes().filter(|node| node.is_forward() == piece.forward) {
-            let SRange { low, high } = node.s_range();
-            if let Some(along) = inside(low, high) {
-                add(along, PathFactKind::Access { classes: node.access() });
+            let mut tell = |node: &LaneNode<'a>| {
+                let SRange { low, high } = node.s_range();
+                if let Some(along) = inside(low, high) {
+                    add(along, PathFactKind::Access { classes: node.access() });
+                }
+            };
+            match view {
+                Some(view) => view.each_piece(&node, tell),
+                None => tell(&node),
             }
         }
         let rows = self.map.tables().structures;

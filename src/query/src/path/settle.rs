@@ -6,6 +6,8 @@ use super::conflicts::{ConflictLane, Yields};
 use super::overlaps::STEP;
 use crate::lane::Lane;
 use crate::rules::{ENTRY_REACH, EntrySign};
+use crate::signals::LaneSignal;
+use crate::view::View;
 use glam::DVec2;
 use mapd_archive::{Class, ConflictKind, Relation, RelationReason};
 
@@ -24,7 +26,7 @@ struct Entry {
 
 impl<'a> Path<'a, '_> {
     /// Completes a conflict outside junctions, of the piece of a number.
-    pub(super) fn settle(&self, number: usize, own: &mut ConflictLane) {
+    pub(super) fn settle(&self, number: usize, view: Option<View<'a>>, own: &mut ConflictLane) {
         let Ok(other) = self.map.lane(own.other) else { return };
         let is_joint = own.along[0] == own.along[1];
         if own.kind == ConflictKind::Overlap || is_joint {
@@ -33,7 +35,8 @@ impl<'a> Path<'a, '_> {
         if own.kind == ConflictKind::Overlap {
             self.widen(&other, STEP, own);
         }
-        let (mine, theirs) = (self.entry_at(number, own.along[0]), entry_of(&other, own.other_s));
+        let mine = self.entry_at(number, view, own.along[0]);
+        let theirs = entry_of(&other, view, own.other_s);
         let (relation, reason) = match mine.is_lit && theirs.is_lit {
             true => (Relation::Lights, RelationReason::Lights),
             false => mine.sign.against(theirs.sign).unwrap_or((own.relation, own.reason)),
@@ -84,7 +87,7 @@ impl<'a> Path<'a, '_> {
     }
 
     /// By what the path comes to S on a piece of it.
-    fn entry_at(&self, number: usize, along: f64) -> Entry {
+    fn entry_at(&self, number: usize, view: Option<View<'a>>, along: f64) -> Entry {
         let mut entry = Entry { sign: EntrySign::None, is_lit: false, line: None };
         for piece in self.buffer.pieces.get(..=number).unwrap_or(&[]).iter().rev() {
             if self.ends_of(piece)[1] < along - ENTRY_REACH {
@@ -99,7 +102,7 @@ impl<'a> Path<'a, '_> {
                 let signal = one.signal();
                 if !signal.is_invalidated() && near(one.s_on(&lane)).is_some() {
                     entry.sign = entry.sign.and(EntrySign::of(signal.class()));
-                    entry.is_lit |= one.is_vehicle_light();
+                    entry.is_lit |= is_lit(&one, view);
                 }
             }
             for line in lane.all_lines(piece.forward) {
@@ -114,7 +117,7 @@ impl<'a> Path<'a, '_> {
 }
 
 /// By what traffic comes to a stretch of a lane: signs on it, and on the lanes that lead to it alone.
-fn entry_of(lane: &Lane<'_>, [low, high]: [f64; 2]) -> Entry {
+fn entry_of<'a>(lane: &Lane<'a>, view: Option<View<'a>>, [low, high]: [f64; 2]) -> Entry {
     let mut entry = Entry { sign: EntrySign::None, is_lit: false, line: None };
     let (begin, end) = if lane.is_forward() { (low, high) } else { (high, low) };
     let section = lane.section();
@@ -135,9 +138,15 @@ fn entry_of(lane: &Lane<'_>, [low, high]: [f64; 2]) -> Entry {
             };
             if distance <= ENTRY_REACH && !one.signal().is_invalidated() {
                 entry.sign = entry.sign.and(EntrySign::of(one.signal().class()));
-                entry.is_lit |= one.is_vehicle_light();
+                entry.is_lit |= is_lit(&one, view);
             }
         }
     }
     entry
+}
+
+/// Whether a signal is a light for vehicles that works.
+pub(super) fn is_lit(one: &LaneSignal<'_>, view: Option<View<'_>>) -> bool {
+    let works = || view.is_none_or(|view| view.is_in_service(one.signal().signal_id()));
+    one.is_vehicle_light() && works()
 }

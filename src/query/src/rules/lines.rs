@@ -145,6 +145,11 @@ impl<'a> Lane<'a> {
     /// it or on the movement's first lane; without one at its light; under a stop or yield sign without marking at the last place before the movement
     /// meets another lane, or where it enters the junction if it meets none. None where none of these is known.
     pub fn movement_stop(&self) -> Option<LaneLine> {
+        self.movement_stop_where(|_| true)
+    }
+
+    /// As [`Lane::movement_stop`], at lights that work alone.
+    pub(crate) fn movement_stop_where(&self, works: impl Fn(SignalId) -> bool) -> Option<LaneLine> {
         let start = self.movement_start();
         let leading = self.approaches().flat_map(|(lane, before)| {
             lane.lines_to_stop_at().map(move |line| (before + lane.away(line.s, true), line))
@@ -153,7 +158,7 @@ impl<'a> Lane<'a> {
         let near = leading.chain(inside).filter(|(distance, _)| *distance <= ENTRY_REACH);
         let marked = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, line)| line);
         let at_light = || {
-            let light = self.movement_lights().next()?;
+            let light = self.movement_lights().find(|one| works(one.signal().signal_id()))?;
             let lane = light.lane()?;
             let source = LineSource::Signal(light.signal().signal_id());
             let (class, s) = (light.signal().class(), light.s_on(&lane));

@@ -6,6 +6,7 @@ mod last_sign;
 mod lines;
 mod movement;
 mod overtaking;
+pub(crate) mod right_of_way;
 mod speed;
 mod speed_records;
 pub(crate) mod speed_signs;

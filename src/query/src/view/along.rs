@@ -4,7 +4,10 @@ use super::heed::OverlaidGraph;
 use super::{Restriction, SpeedToday, View};
 use crate::error::QueryError;
 use crate::localisation::{LaneMatch, MatchError, MatchOptions, VehiclePose};
-use crate::path::{Corridor, Path, PathError, PathLane, PathSegment, PathTime};
+use crate::path::{
+    ConflictLane, Corridor, Path, PathConflict, PathCrossing, PathError, PathFact, PathLane,
+    PathSegment, PathTime,
+};
 use crate::route::PositionOnLane;
 use crate::rules::SpeedRule;
 use crate::signals::SignalsAhead;
@@ -194,6 +197,42 @@ impl<'a> View<'a> {
                 tell([told, end], plain(map));
             }
         });
+    }
+
+    /// As [`Path::conflicts`], with lights that are out of service now left out: where they would decide, signs do, then priorities of the file, then rules of the road.
+    ///
+    /// Errors: a path on another map.
+    pub fn conflicts(
+        &self,
+        path: &Path<'a, '_>,
+        out: &mut Vec<PathConflict>,
+        lanes: &mut Vec<ConflictLane>,
+    ) -> Result<(), QueryError> {
+        path.check(self.map)?;
+        path.conflicts_in(Some(*self), out, lanes);
+        Ok(())
+    }
+
+    /// As [`Path::crossings`], with lights that are out of service now left out.
+    ///
+    /// Errors: a path on another map.
+    pub fn crossings(
+        &self,
+        path: &Path<'a, '_>,
+        out: &mut Vec<PathCrossing>,
+    ) -> Result<(), QueryError> {
+        path.check(self.map)?;
+        path.crossings_in(Some(*self), out);
+        Ok(())
+    }
+
+    /// As [`Path::facts`], with today's permissions; a light that is out of service now governs nothing, and [`View::signal_out_of_service`] names the entry.
+    ///
+    /// Errors: a path on another map.
+    pub fn facts(&self, path: &Path<'a, '_>, out: &mut Vec<PathFact>) -> Result<(), QueryError> {
+        path.check(self.map)?;
+        path.facts_in(Some(*self), out);
+        Ok(())
     }
 
     /// As [`Path::segments`], with the overlay's current entries applied: a lane that is closed is not entered, so that before it a change of lane is due; one that is opened

@@ -15,6 +15,7 @@ pub use mapd_archive::{Overlay, OverlayKind};
 pub use queries::{OvertakingToday, Permission, SpeedToday};
 
 use crate::graph::{LaneNode, NodePiece};
+use crate::ids::SignalId;
 use crate::lane::Lane;
 use crate::map::Map;
 use mapd_archive::{
@@ -81,6 +82,28 @@ impl<'a> View<'a> {
         let overlay = self.overlay;
         let count = overlay.map_or(0, |overlay| overlay.tables.entries.len());
         (0..count as u32).filter_map(move |row| OverlayEntry::new(overlay?, row))
+    }
+
+    /// Whether the overlay says of any signal that it is out of service, be it now or not.
+    pub(crate) fn has_signals_out(&self) -> bool {
+        self.tables().is_some_and(|tables| !tables.signal_entries.is_empty())
+    }
+
+    /// Whether no entry says now that a signal of the map is out of service.
+    pub(crate) fn is_in_service(&self, signal: SignalId) -> bool {
+        self.signal_out_of_service(signal).is_ok_and(|entry| entry.is_none())
+    }
+
+    /// Tells a node of the map, or its pieces with the permissions of the view's moment, in the order in which they are driven.
+    pub(crate) fn each_piece(&self, node: &LaneNode<'a>, mut tell: impl FnMut(&LaneNode<'a>)) {
+        let pieces = self.pieces_of(node.number);
+        if pieces.is_empty() {
+            return tell(node);
+        }
+        for piece in pieces {
+            // Of whom the speeds are does not matter.
+            self.piece(piece, VehicleClass::PassengerCar).iter().for_each(&mut tell);
+        }
     }
 
     fn tables(&self) -> Option<&'a OverlayTables<'a>> {

@@ -59,7 +59,7 @@ pub enum Kind {
     Conflicts,
     /// `road_id,s,lane_id` → speed limit and its origin
     Speed,
-    /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine,method,value
+    /// `road_id,s,lane_id,distance` → a row for each signal ahead: id,class,distance,road_id,s,t,x,y,z,state_machine,method,value,out_of_service
     Signals,
     /// `owner[,id]` → a row for each annotation: kind,path,name,value,text,file,line,column
     Annotations,

@@ -8,7 +8,7 @@ use mapd_client::Map;
 use mapd_query::glam::DVec2;
 use mapd_query::path::{Corridor, Path, PathBuffer, PathCrossing, PathOptions, Yields, YieldsBy};
 use mapd_query::rules::Basis;
-use mapd_query::vocabulary::{RelationReason, RoadRules};
+use mapd_query::vocabulary::RelationReason;
 
 /// Columns that a route is found by.
 pub(super) const ROUTE: [&str; 6] =
@@ -81,7 +81,7 @@ pub(super) fn answer<'a>(
         PathQuestion::Line => line(&path, router, out),
         PathQuestion::Corridor => corridor(&path, router, &mut paths.corridor, out),
         PathQuestion::Project => project(&path, map, row, out),
-        PathQuestion::Conflicts => conflicts(&path, map, router.rules(), out),
+        PathQuestion::Conflicts => conflicts(&path, router, out),
     }
 }
 
@@ -151,15 +151,16 @@ fn project(
 }
 
 /// `conflicts`: a row for each.
-fn conflicts(
-    path: &Path<'_, '_>,
-    map: Map<'_>,
-    rules: Option<&RoadRules>,
+fn conflicts<'a>(
+    path: &Path<'a, '_>,
+    router: &Router<'a>,
     out: &mut Vec<String>,
 ) -> Result<(), String> {
+    let (view, rules) = (router.view(), router.rules());
+    let map = view.map();
     let (mut found, mut lanes, mut crossings) = (Vec::new(), Vec::new(), Vec::new());
-    path.conflicts(&mut found, &mut lanes);
-    path.crossings(&mut crossings);
+    view.conflicts(path, &mut found, &mut lanes).map_err(text)?;
+    view.crossings(path, &mut crossings).map_err(text)?;
     let mut crossings = crossings.into_iter().peekable();
     for one in found {
         while let Some(before) = crossings.next_if(|own| own.along[0] < one.along[0]) {

@@ -19,6 +19,7 @@ pub(super) const COLUMNS: &[&str] = &[
     "state_machine",
     "method",
     "value",
+    "out_of_service",
 ];
 
 /// Signals ahead of a place, a row of columns each, the nearest first. A signal that counts for several lanes ahead stands
@@ -49,6 +50,8 @@ pub(super) fn answer(
         out.push(signal.light().map(states).unwrap_or_default());
         out.push(place.map_or("", |on| on.method().name()).to_owned());
         out.push(signal.value().map(number).unwrap_or_default());
+        let off = view.signal_out_of_service(one.signal).map_err(text)?;
+        out.push(off.map(|entry| entry.id().to_owned()).unwrap_or_default());
     }
     Ok(())
 }
