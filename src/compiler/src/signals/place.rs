@@ -5,7 +5,7 @@ use crate::findings::finding;
 use crate::resolve::Resolved;
 use crate::sample::view;
 use glam::DVec3;
-use mapd_archive::{Orientation, Rows, SignalRow, signal_flags};
+use mapd_archive::{Class, Orientation, Rows, SignalRow, signal_flags};
 use mapd_geometry::{beside, clamp, normalize_angle};
 use mapd_query::compiling::ByRow as _;
 use mapd_query::{Map, Road, Track};
@@ -36,7 +36,9 @@ pub(super) fn place(rows: &mut Rows, resolved: &Resolved) -> Vec<Finding> {
             let (places, later) = rest.split_at(count);
             rest = later;
             let mut own = standing(&roads, row, position, &resolved.roads);
+            // Who comes the wrong way is to see a sign against entering.
             if let Some((_, facing)) = &mut own
+                && row.class != Class::NoEntry.code()
                 && shows_back(map, rows, places, *facing)
             {
                 *facing = normalize_angle(*facing + PI);
