@@ -8,6 +8,7 @@ use crate::map::Map;
 use crate::objects::Object;
 use crate::road::Road;
 use crate::section::LaneSection;
+use crate::signals::Signal;
 use crate::types::LanePosition;
 use glam::DVec2;
 
@@ -27,6 +28,8 @@ pub trait ByRow<'a> {
     fn object_by_row(&self, row: u32) -> Option<Object<'a>>;
     /// The node of the lane graph.
     fn lane_node_by_row(&self, row: u32) -> Option<LaneNode<'a>>;
+    /// The signal.
+    fn signal_by_row(&self, row: u32) -> Option<Signal<'a>>;
 }
 
 impl<'a> ByRow<'a> for Map<'a> {
@@ -48,6 +51,10 @@ impl<'a> ByRow<'a> for Map<'a> {
 
     fn object_by_row(&self, row: u32) -> Option<Object<'a>> {
         Object::new(*self, row)
+    }
+
+    fn signal_by_row(&self, row: u32) -> Option<Signal<'a>> {
+        Signal::new(*self, row)
     }
 
     fn lane_node_by_row(&self, row: u32) -> Option<LaneNode<'a>> {

@@ -7,7 +7,7 @@ use crate::road::Road;
 use crate::section::LaneSection;
 use crate::types::LaneEdges;
 use glam::DVec3;
-use mapd_archive::{ArchivedLaneRow, lane_flags};
+use mapd_archive::{ArchivedCubicRow, ArchivedLaneRow, lane_flags};
 use mapd_geometry::clamp;
 
 /// The plane h = 0 of a road at one s: places beside each other differ by t alone (OpenDRIVE 1.8.1, 8.3).
@@ -66,10 +66,36 @@ pub struct SectionCutter<'a> {
 /// What the lanes are made of for a while.
 struct Widths {
     held: ValidRange,
+    /// Where the widths alone hold.
+    widths_held: ValidRange,
     offset: Record,
+    /// A place where all of it holds.
+    hold: f64,
+    left: Side,
+    right: Side,
+}
+
+/// The lanes on one side.
+struct Side {
     /// From the centre lane outwards.
-    left: Vec<Width>,
-    right: Vec<Width>,
+    widths: Vec<Width>,
+    /// That of t.
+    sign: f64,
+    steady: Steady,
+}
+
+/// A lane of which neither its edges nor those of lanes further in change while the records hold: the last one that was asked for.
+#[derive(Clone, Copy)]
+struct Steady {
+    /// How many lanes lie from the centre lane outwards up to it; 0 where none was asked for.
+    count: usize,
+    edges: LaneEdges,
+    /// Whether neither it nor a lane further in has a width below 0.
+    are_open: bool,
+}
+
+impl Steady {
+    const NONE: Self = Self { count: 0, edges: LaneEdges::NOWHERE, are_open: false };
 }
 
 /// Width or border of one lane.
@@ -79,11 +105,19 @@ struct Width {
     /// Where the record holds.
     held: ValidRange,
     is_border: bool,
-    /// The lane's edges, where neither they nor those of the lanes further in change while the records hold.
-    steady: Option<LaneEdges>,
+    /// What the record says all along; none where it changes.
+    constant: Option<f64>,
 }
 
 impl Width {
+    fn at(lane: &ArchivedLaneRow, cubics: &[ArchivedCubicRow], hold: f64) -> Self {
+        let mut held = ValidRange::ALWAYS;
+        let record = Record::of(held.record(lane.widths().of(cubics), hold));
+        let is_border = lane.flags() & lane_flags::BORDER != 0;
+        let constant = record.is_constant().then(|| record.value(hold));
+        Self { record, held, is_border, constant }
+    }
+
     /// The lane's edges; the next one's inner edge is its outer one.
     #[inline]
     fn step(&self, edge: &mut f64, s: f64, sign: f64) -> LaneEdges {
@@ -142,15 +176,15 @@ impl<'a> SectionCutter<'a> {
         let widths = self.widths(s)?;
         let s = on_line;
         let offset = widths.offset.value(s);
-        let (left, right) = edges.split_at_mut_checked(widths.left.len())?;
+        let (left, right) = edges.split_at_mut_checked(widths.left.widths.len())?;
         let (center, right) = right.split_first_mut()?;
         *center = LaneEdges { inner: offset, outer: offset };
         let mut edge = offset;
-        for (width, edges) in widths.left.iter().zip(left.iter_mut().rev()) {
+        for (width, edges) in widths.left.widths.iter().zip(left.iter_mut().rev()) {
             *edges = width.step(&mut edge, s, 1.0);
         }
         edge = offset;
-        for (width, edges) in widths.right.iter().zip(right) {
+        for (width, edges) in widths.right.widths.iter().zip(right) {
             *edges = width.step(&mut edge, s, -1.0);
         }
         Some(())
@@ -163,15 +197,15 @@ impl<'a> SectionCutter<'a> {
     pub fn lane_edges(&mut self, lane: usize, s: f64) -> Option<LaneEdges> {
         let on_line = self.on_line(s);
         let widths = self.widths(s)?;
-        let (inward, sign) = widths.outwards_to(lane)?;
-        if let Some(Width { steady: Some(edges), .. }) = inward.last() {
-            return Some(*edges);
+        let (offset, hold, side, count) = widths.outwards_to(lane);
+        if let Some(steady) = side.steady(offset, count, hold) {
+            return Some(steady.edges);
         }
-        let s = on_line;
-        let offset = widths.offset.value(s);
+        let (s, inward) = (on_line, side.widths.get(..count)?);
+        let offset = offset.value(s);
         let none = LaneEdges { inner: offset, outer: offset };
         let mut edge = offset;
-        Some(inward.iter().fold(none, |_, width| width.step(&mut edge, s, sign)))
+        Some(inward.iter().fold(none, |_, width| width.step(&mut edge, s, side.sign)))
     }
 
     /// A section may end a rounding beyond the reference line: edges are those of the line's end, as with a single lane.
@@ -182,18 +216,18 @@ impl<'a> SectionCutter<'a> {
 
     /// What the lanes are made of at s.
     #[inline]
-    fn widths(&mut self, s: f64) -> Option<&Widths> {
+    fn widths(&mut self, s: f64) -> Option<&mut Widths> {
         let at = At::within(s, self.section.s_start(), self.section.s_end());
         self.widths_held(at.hold)
     }
 
     /// What the lanes are made of where this holds.
     #[inline]
-    fn widths_held(&mut self, hold: f64) -> Option<&Widths> {
+    fn widths_held(&mut self, hold: f64) -> Option<&mut Widths> {
         if !self.lanes.as_ref().is_some_and(|lanes| lanes.held.contains(hold)) {
             self.find_widths(hold)?;
         }
-        self.lanes.as_ref()
+        self.lanes.as_mut()
     }
 
     // Apart, as with the reference line.
@@ -241,10 +275,13 @@ impl<'a> SectionCutter<'a> {
     fn even(&mut self, lane: usize, from: f64, to: f64) -> Option<&LineStretch<'a>> {
         self.stretch_at(from).filter(|_| to <= self.end)?;
         let widths = self.widths(from)?;
-        let (inner, _) = widths.outwards_to(lane)?;
-        let is_constant = widths.held.covers(from, to)
-            && widths.offset.is_constant()
-            && inner.iter().all(|width| width.record.is_constant());
+        let held = widths.held.covers(from, to);
+        let (offset, hold, side, count) = widths.outwards_to(lane);
+        let is_steady = match count {
+            0 => offset.is_constant(),
+            _ => side.steady(offset, count, hold).is_some(),
+        };
+        let is_constant = is_steady && held;
         self.frame.as_ref().filter(|frame| {
             is_constant
                 && frame.held.covers(from, to)
@@ -267,26 +304,62 @@ impl<'a> SectionCutter<'a> {
 
     fn lane_is_straight(&mut self, lane: usize, from: f64, to: f64) -> Option<bool> {
         let widths = self.widths_held(from)?;
-        let (inner, _) = widths.outwards_to(lane)?;
+        let held = widths.held.covers(from, to);
+        let (offset, hold, side, count) = widths.outwards_to(lane);
+        if let Some(steady) = side.steady(offset, count, hold) {
+            return Some(held && steady.are_open);
+        }
+        let inner = side.widths.get(..count)?;
         let is_even = |width: &Width| {
             let is_open = |s: f64| width.is_border || width.record.value(s) >= 0.0;
             width.record.is_even() && is_open(from) && is_open(to)
         };
-        let held = widths.held.covers(from, to);
-        Some(held && widths.offset.is_even() && inner.iter().all(is_even))
+        Some(held && offset.is_even() && inner.iter().all(is_even))
+    }
+}
+
+impl Side {
+    /// The lane that is the `count`-th from the centre lane, if neither its edges nor those further in change while the records hold, as at `hold`.
+    #[inline]
+    fn steady(&mut self, offset: &Record, count: usize, hold: f64) -> Option<&Steady> {
+        if count != self.steady.count {
+            self.find_steady(offset, count, hold)?;
+        }
+        Some(&self.steady).filter(|steady| steady.count > 0)
+    }
+
+    // Apart, as with the reference line.
+    #[inline(never)]
+    fn find_steady(&mut self, offset: &Record, count: usize, hold: f64) -> Option<()> {
+        if !offset.is_constant() {
+            return None;
+        }
+        let mut outer = offset.value(hold);
+        let (mut inner, mut are_open) = (outer, true);
+        for lane in self.widths.get(..count)? {
+            let own = lane.constant?;
+            inner = outer;
+            // As in `Width::step`.
+            outer = if lane.is_border {
+                own
+            } else {
+                inner + self.sign * if own > 0.0 { own } else { 0.0 }
+            };
+            are_open &= lane.is_border || own >= 0.0;
+        }
+        self.steady = Steady { count, edges: LaneEdges { inner, outer }, are_open };
+        Some(())
     }
 }
 
 impl Widths {
-    /// A lane, counted from the left, and those between it and the centre lane, from there outwards, with the sign of t on
-    /// their side.
+    /// The record of lane 0 and where all records hold, the side of a lane, counted from the left, and how many lanes lie from the centre lane outwards up to it.
     #[inline]
-    fn outwards_to(&self, lane: usize) -> Option<(&[Width], f64)> {
-        let center = self.left.len();
-        if lane < center {
-            Some((self.left.get(..center - lane)?, 1.0))
-        } else {
-            Some((self.right.get(..lane - center)?, -1.0))
+    fn outwards_to(&mut self, lane: usize) -> (&Record, f64, &mut Side, usize) {
+        let (offset, hold, center) = (&self.offset, self.hold, self.left.widths.len());
+        match center.checked_sub(lane) {
+            Some(count @ 1..) => (offset, hold, &mut self.left, count),
+            _ => (offset, hold, &mut self.right, lane - center),
         }
     }
 
@@ -295,32 +368,42 @@ impl Widths {
         let lanes = section.rows();
         let center = lanes.binary_search_by(|lane| 0.cmp(&lane.number())).ok()?;
         let cubics = section.map.tables().cubics;
-        let width = |lane: &ArchivedLaneRow| {
-            let mut held = ValidRange::ALWAYS;
-            let record = Record::of(held.record(lane.widths().of(cubics), hold));
-            let is_border = lane.flags() & lane_flags::BORDER != 0;
-            Width { record, held, is_border, steady: None }
-        };
+        let width = |lane: &ArchivedLaneRow| Width::at(lane, cubics, hold);
         let left = lanes.get(..center)?.iter().rev().map(width).collect();
         let right = lanes.get(center + 1..)?.iter().map(width).collect();
-        let mut widths = Self { held: ValidRange::ALWAYS, offset: Record::NONE, left, right };
+        let [left, right] = [(left, 1.0), (right, -1.0)].map(|(widths, sign)| Side {
+            widths,
+            sign,
+            steady: Steady::NONE,
+        });
+        let (held, offset) = (ValidRange::ALWAYS, Record::NONE);
+        let mut widths = Self { held, widths_held: held, offset, hold, left, right };
+        widths.unite();
         widths.settle(road, section, hold)?;
         Some(widths)
     }
 
     /// What holds at another place: mostly the next record of one lane, so that those of the others need not be looked for.
     fn move_to(&mut self, road: &Road<'_>, section: &LaneSection<'_>, hold: f64) -> Option<()> {
-        let (lanes, cubics) = (section.rows(), section.map.tables().cubics);
-        let (left, right) = lanes.split_at_checked(self.left.len())?;
-        let left = self.left.iter_mut().rev().zip(left);
-        for (width, lane) in left.chain(self.right.iter_mut().zip(right.get(1..)?)) {
-            width.steady = None;
-            if !width.held.contains(hold) {
-                width.held = ValidRange::ALWAYS;
-                width.record = Record::of(width.held.record(lane.widths().of(cubics), hold));
+        // Where only another record of lane 0 holds, there may be as many of them as lanes.
+        if !self.widths_held.contains(hold) {
+            let (lanes, cubics) = (section.rows(), section.map.tables().cubics);
+            let (left, right) = lanes.split_at_checked(self.left.widths.len())?;
+            let left = self.left.widths.iter_mut().rev().zip(left);
+            for (width, lane) in left.chain(self.right.widths.iter_mut().zip(right.get(1..)?)) {
+                if !width.held.contains(hold) {
+                    *width = Width::at(lane, cubics, hold);
+                }
             }
+            self.unite();
         }
         self.settle(road, section, hold)
+    }
+
+    /// Where all widths hold.
+    fn unite(&mut self) {
+        let widths = self.left.widths.iter().chain(&self.right.widths);
+        self.widths_held = widths.fold(ValidRange::ALWAYS, |held, width| held.and(width.held));
     }
 
     /// What follows from the widths that hold at a place.
@@ -330,21 +413,9 @@ impl Widths {
             if is_temporary { road.temporary_lane_offsets() } else { road.lane_offsets() };
         let mut held = ValidRange::ALWAYS;
         self.offset = Record::of(held.record(offsets, hold));
-        self.held =
-            self.left.iter().chain(&self.right).fold(held, |held, width| held.and(width.held));
-        find_steady(&self.offset, &mut self.left, hold, 1.0);
-        find_steady(&self.offset, &mut self.right, hold, -1.0);
+        self.held = held.and(self.widths_held);
+        self.hold = hold;
+        (self.left.steady, self.right.steady) = (Steady::NONE, Steady::NONE);
         Some(())
-    }
-}
-
-/// Notes the edges of lanes, from the centre lane outwards, that do not change while their records hold, as at `hold`.
-fn find_steady(offset: &Record, lanes: &mut [Width], hold: f64, sign: f64) {
-    if !offset.is_constant() {
-        return;
-    }
-    let mut edge = offset.value(hold);
-    for lane in lanes.iter_mut().take_while(|lane| lane.record.is_constant()) {
-        lane.steady = Some(lane.step(&mut edge, hold, sign));
     }
 }

@@ -73,7 +73,7 @@ pub mod compiling {
     pub use crate::graph::{extremes_of_joined, is_first_joined};
     pub use crate::index::{SegmentHit, nearest_segment};
     pub use crate::lane_length::{Measures, measures_between};
-    pub use crate::lengths_along::lengths_along;
+    pub use crate::lengths_along::{lengths_along, measures_along};
     pub use crate::parallel::{MostBend, Parallel, ParallelFrom};
     pub use crate::polyline::LineReader;
     pub use crate::rules::entry_sign::EntrySign;

@@ -10,7 +10,7 @@ use crate::rules::SpeedRecords;
 use mapd_archive::{ArchivedCubicRow, ArchivedLaneLengthRow};
 
 /// Speed assumed where the file states none `[m/s]`: 50 km/h, the usual limit in towns.
-const ASSUMED_SPEED: f64 = 50.0 / 3.6;
+pub(crate) const ASSUMED_SPEED: f64 = 50.0 / 3.6;
 /// Speed assumed where there is no limit `[m/s]`: 130 km/h, the recommended one on motorways.
 const UNLIMITED_SPEED: f64 = 130.0 / 3.6;
 /// Lowest speed counted `[m/s]`: a limit of 0 must not make a lane take for ever.
@@ -84,6 +84,7 @@ impl<'a> CachedGeometry<'a> {
 }
 
 /// A stretch on one piece of the reference line, all along which the same records hold.
+#[derive(Clone, Copy)]
 pub(crate) struct Stretch<'a> {
     pub(crate) from: f64,
     pub(crate) to: f64,

@@ -7,9 +7,10 @@ use crate::begun::begun;
 use crate::beside::Beside;
 use crate::lane::Lane;
 use crate::lane_edges::EdgeSlopes;
-use crate::lane_length::{CachedGeometry, Stretch};
+use crate::lane_length::{ASSUMED_SPEED, CachedGeometry, Measures, Stretch, travel_speed};
 use crate::profile::{self, Record};
 use crate::road::Road;
+use crate::rules::SpeedRecords;
 use crate::section::LaneSection;
 use mapd_archive::{ArchivedCubicRow, LaneLengthRow, lane_flags};
 
@@ -23,31 +24,34 @@ const SIGN_CHANGES: usize = 3;
 /// Lengths along the lanes of a section, lane by lane: after each 16 records of a lane of more than 32, none of another. Where the archive
 /// has them, [`Lane::length_between`] looks at no more than 16 at either end.
 pub fn lengths_along(section: &LaneSection<'_>) -> Vec<LaneLengthRow> {
-    let Some(walk) = Walk::new(section) else { return Vec::new() };
-    let lanes: Vec<_> = section.lanes().collect();
-    let Some(center) = lanes.iter().position(|lane| lane.number() == 0) else { return Vec::new() };
-    let (left, right) = lanes.split_at(center);
-    let Some((center, right)) = right.split_first() else { return Vec::new() };
-    let cubics = section.map.tables().cubics;
-    let offset = pieces(center.own_lane_offsets(), walk.from, walk.to);
     let mut along = Vec::new();
-    walk.along(center, [&offset, &offset], &mut along);
-    for (sign, side) in
-        [(1.0, &mut left.iter().rev() as &mut dyn Iterator<Item = _>), (-1.0, &mut right.iter())]
-    {
-        let mut inner = offset.clone();
-        for lane in side {
-            let records = lane.row.widths().of(cubics);
-            let outer = if lane.row.flags() & lane_flags::BORDER != 0 {
-                pieces(records, walk.from, walk.to)
-            } else {
-                sum(&inner, sign, &widths(records, walk.from, walk.to))
-            };
-            walk.along(lane, [&inner, &outer], &mut along);
-            inner = outer;
-        }
+    if let Some(walk) = Walk::of_many(section) {
+        walk.each_lane(section, |lane, edges| walk.along(lane, edges, &mut along));
     }
     along
+}
+
+/// Changes of speed and pieces of a section's lanes, times its lanes, up to which each piece of a lane is measured by itself.
+const MEASURED_ONE_BY_ONE: usize = 1 << 10;
+
+/// Length and time of each piece of each lane of a section, from lane to lane and from piece to piece towards +s: as [`measures_between`](crate::compiling::measures_between) has them one by one.
+/// Pieces go from one of these places, which ascend, to the next. None for a section of few, and for a damaged archive.
+pub fn measures_along(section: &LaneSection<'_>, places: &[f64]) -> Option<Vec<Vec<Measures>>> {
+    let (road, lanes) = (section.road()?, section.rows().len());
+    let own: usize = section.lanes().map(|lane| lane.speeds().len()).sum();
+    if (road.type_rows().len() + own + places.len()).saturating_mul(lanes) <= MEASURED_ONE_BY_ONE {
+        return None;
+    }
+    let first = section.lanes().next()?.row_number();
+    let walk = Walk::over(section)?;
+    let mut measured = vec![Vec::new(); lanes];
+    walk.each_lane(section, |lane, edges| {
+        let own = (lane.row_number() - first) as usize;
+        if let Some(own) = measured.get_mut(own) {
+            *own = walk.measures(lane, edges, places);
+        }
+    });
+    Some(measured)
 }
 
 /// Records that hold one after the other between two places, each by the distance from where it begins to hold.
@@ -148,8 +152,15 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
+    /// None for a damaged archive.
+    fn over(section: &LaneSection<'a>) -> Option<Self> {
+        let road = section.road()?;
+        let (from, to) = (section.s_start(), section.s_end().min(road.reference_end()));
+        Some(Self { road, from, to, superelevations: pieces(road.superelevations(), from, to) })
+    }
+
     /// None for a section of which no lane has more than few records.
-    fn new(section: &LaneSection<'a>) -> Option<Self> {
+    fn of_many(section: &LaneSection<'a>) -> Option<Self> {
         let road = section.road()?;
         let (from, to) = (section.s_start(), section.s_end().min(road.reference_end()));
         let geometries = road.geometries();
@@ -173,7 +184,78 @@ impl<'a> Walk<'a> {
         if 1 + of_road + sides[0].max(sides[1]) <= FEW_RECORDS {
             return None;
         }
-        Some(Self { road, from, to, superelevations: pieces(road.superelevations(), from, to) })
+        Self::over(section)
+    }
+
+    /// Visits all lanes with their inner and outer edges, lane 0 first and then outwards on either side: each edge is added up once.
+    fn each_lane(
+        &self,
+        section: &LaneSection<'a>,
+        mut visit: impl FnMut(&Lane<'a>, [&[Record]; 2]),
+    ) {
+        let lanes: Vec<_> = section.lanes().collect();
+        let Some(center) = lanes.iter().position(|lane| lane.number() == 0) else { return };
+        let (left, right) = lanes.split_at(center);
+        let Some((center, right)) = right.split_first() else { return };
+        let cubics = section.map.tables().cubics;
+        let offset = pieces(center.own_lane_offsets(), self.from, self.to);
+        visit(center, [&offset, &offset]);
+        for (sign, side) in [
+            (1.0, &mut left.iter().rev() as &mut dyn Iterator<Item = _>),
+            (-1.0, &mut right.iter()),
+        ] {
+            let mut inner = offset.clone();
+            for lane in side {
+                let records = lane.row.widths().of(cubics);
+                let outer = if lane.row.flags() & lane_flags::BORDER != 0 {
+                    pieces(records, self.from, self.to)
+                } else {
+                    sum(&inner, sign, &widths(records, self.from, self.to))
+                };
+                visit(lane, [&inner, &outer]);
+                inner = outer;
+            }
+        }
+    }
+
+    /// Measures a lane with an inner and an outer edge from each of some places to the next.
+    fn measures(&self, lane: &Lane<'_>, edges: [&[Record]; 2], places: &[f64]) -> Vec<Measures> {
+        let mut records = SpeedRecords::at(lane, self.from);
+        let none = Measures { length: 0.0, time: 0.0 };
+        let mut measured = vec![none; places.len().saturating_sub(1)];
+        let mut number = 0;
+        self.each_stretch(edges, |stretch, middle| {
+            let mut from = stretch.from;
+            while from < stretch.to {
+                let next = records.pass(from);
+                while number + 1 < measured.len()
+                    && places.get(number + 1).is_some_and(|place| *place <= from)
+                {
+                    number += 1;
+                }
+                let place = places.get(number + 1).filter(|place| **place > from);
+                let place = place.copied().unwrap_or(f64::INFINITY);
+                let to = stretch.to.min(next).min(place);
+                let length = self.length(&Stretch { from, to, ..*stretch }, middle);
+                let speed = records.max().unwrap_or(ASSUMED_SPEED);
+                if let Some(piece) = measured.get_mut(number) {
+                    piece.length += length;
+                    piece.time += length / travel_speed(speed);
+                }
+                from = to;
+            }
+        });
+        measured
+    }
+
+    /// Length of the middle between two edges.
+    #[inline]
+    fn length(&self, stretch: &Stretch<'a>, edges: [&Record; 2]) -> f64 {
+        stretch.length(|at| {
+            let [inner, outer] = edges.map(|edge| edge.slope(at.s));
+            let t = EdgeSlopes { inner, outer }.center();
+            Beside::new(&self.road, at, self.road.roll(at), t)
+        })
     }
 
     /// Adds the lengths along a lane with an inner and an outer edge.
@@ -186,11 +268,7 @@ impl<'a> Walk<'a> {
         let (mut number, mut length) = (0, 0.0);
         self.each_stretch(edges, |stretch, middle| {
             number += 1;
-            length += stretch.length(|at| {
-                let [inner, outer] = middle.map(|edge| edge.slope(at.s));
-                let t = EdgeSlopes { inner, outer }.center();
-                Beside::new(&self.road, at, self.road.roll(at), t)
-            });
+            length += self.length(stretch, middle);
             if number % RECORDS_PER_LENGTH == 0 && number < records {
                 let (s, lane) = (stretch.to, lane.row_number());
                 along.push(LaneLengthRow { s, length, lane, reserved: 0 });
