@@ -25,6 +25,7 @@
 
 pub mod catalog;
 mod checker;
+mod cycles;
 mod documentation;
 mod examiner;
 mod example;

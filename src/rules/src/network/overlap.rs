@@ -50,6 +50,11 @@ impl Members {
         self.0.get(first..end).unwrap_or_default()
     }
 
+    /// The first junction that a road has to do with.
+    pub(super) fn first_junction_of(&self, road: u32) -> Option<u32> {
+        self.junctions_of(road).first().map(|(_, junction)| *junction)
+    }
+
     /// Whether there is a junction that both roads have to do with.
     pub(super) fn share_junction(&self, a: u32, b: u32) -> bool {
         let [a, b] = [a, b].map(|road| self.junctions_of(road));

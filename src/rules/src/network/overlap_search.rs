@@ -59,14 +59,22 @@ struct Search<'a> {
 /// The stretches of one road in one cell.
 struct Run<'a> {
     road: u32,
-    /// The junction that the road belongs to.
-    junction: Option<Name>,
+    junction: Option<Junction>,
     /// In the order of s.
     stretches: &'a [(Cell, u32)],
     /// Around all of them.
     bounds: [f64; 4],
     /// From the lowest to the highest.
     heights: [f64; 2],
+}
+
+/// A junction that a road has to do with.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Junction {
+    /// By its rank.
+    There(u32),
+    /// The map does not have it.
+    Named(Name),
 }
 
 /// Column of a cell, and below it its row, as one number that is sorted at once.
@@ -149,16 +157,24 @@ impl<'a> Search<'a> {
         runs.clear();
         runs.extend(own.filter_map(|run| self.run(places, run)));
         runs.sort_by(|a, b| a.bounds[0].total_cmp(&b.bounds[0]).then(a.road.cmp(&b.road)));
+        let ends = ends_of_junctions(runs);
         for (at, run) in runs.iter().enumerate() {
             self.look_along(places, run);
-            for other in &runs[at + 1..] {
+            let mut next = at + 1;
+            while let Some(other) = runs.get(next) {
                 if self.is_cut() || other.bounds[0] + TOUCH >= run.bounds[2] {
                     break;
                 }
                 self.steps += 1;
+                if run.junction.is_some() && run.junction == other.junction {
+                    // What lies over one another at one junction tells nothing.
+                    next = ends.get(next).copied().unwrap_or(next + 1);
+                    continue;
+                }
                 if run.may_meet(other) {
                     self.look_between(places, run, other);
                 }
+                next += 1;
             }
         }
     }
@@ -171,7 +187,9 @@ impl<'a> Search<'a> {
             all = [all[0].min(*x0), all[1].min(*y0), all[2].max(*x1), all[3].max(*y1)];
             heights = [heights[0].min(*z), heights[1].max(*z)];
         }
-        let junction = self.network.roads.get(*road as usize)?.junction;
+        let known = self.members.first_junction_of(*road).map(Junction::There);
+        let named = || self.network.roads.get(*road as usize)?.junction.map(Junction::Named);
+        let junction = known.or_else(named);
         Some(Run { road: *road, junction, stretches, bounds: all, heights })
     }
 
@@ -255,8 +273,18 @@ impl Run<'_> {
             && by0 + TOUCH < ay1
             && a_low - b_high < CLEARANCE
             && b_low - a_high < CLEARANCE
-            && (self.junction.is_none() || self.junction != other.junction)
     }
+}
+
+/// Of each run, the next one that has to do with another junction, or with none: there may be thousands of one junction in a cell.
+fn ends_of_junctions(runs: &[Run<'_>]) -> Vec<usize> {
+    let mut ends: Vec<usize> = (1..=runs.len()).collect();
+    for at in (1..runs.len()).rev() {
+        if runs[at].junction.is_some() && runs[at - 1].junction == runs[at].junction {
+            ends[at - 1] = ends[at];
+        }
+    }
+    ends
 }
 
 impl Network {

@@ -1,13 +1,14 @@
 //! Connections and priorities.
 
 use super::kind;
+use crate::cycles::on_cycles;
 use crate::example::Example::Junction as In;
 use crate::place::text;
 use crate::rule::Check::Junction;
 use crate::rule::Rule;
 use crate::sink::Sink;
 use mapd_xodr::{self as xodr, JunctionType as Kind, Span};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
@@ -119,25 +120,20 @@ fn priority(junction: &xodr::Junction, sink: &mut Sink<'_>) {
     }
 }
 
+/// Of a cycle, its first priority in the file is told.
 fn priority_cycle(junction: &xodr::Junction, sink: &mut Sink<'_>) {
-    let mut lower: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for priority in &junction.priority {
-        if let (Some(high), Some(low)) = (&priority.high, &priority.low) {
-            lower.entry(&high.value).or_default().push(&low.value);
-        }
-    }
-    for priority in &junction.priority {
-        let (high, low) = (text(&priority.high), text(&priority.low));
-        let (mut open, mut seen) = (vec![low], BTreeSet::new());
-        while let Some(road) = open.pop() {
-            if road == high && !high.is_empty() {
-                let found = format_args!("road {high} above road {low} and below it");
-                sink.add_within("priority", priority.span, "an order of roads", found);
-                return;
-            }
-            if seen.insert(road) {
-                open.extend(lower.get(road).into_iter().flatten());
-            }
-        }
+    let of_two = |priority: &&xodr::Priority| priority.high.is_some() && priority.low.is_some();
+    let stated: Vec<&xodr::Priority> = junction.priority.iter().filter(of_two).collect();
+    let pairs: Vec<(&str, &str)> =
+        stated.iter().map(|priority| (text(&priority.high), text(&priority.low))).collect();
+    let first = on_cycles(&pairs).into_iter().zip(&pairs).position(|(is_on_one, (high, _))| {
+        // An empty id is told elsewhere.
+        is_on_one && !high.is_empty()
+    });
+    if let Some((priority, (high, low))) =
+        first.and_then(|at| Some((stated.get(at)?, pairs.get(at)?)))
+    {
+        let found = format_args!("road {high} above road {low} and below it");
+        sink.add_within("priority", priority.span, "an order of roads", found);
     }
 }

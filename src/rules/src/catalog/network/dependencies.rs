@@ -6,6 +6,7 @@ use crate::rule::Check::Network as All;
 use crate::rule::Rule;
 use crate::sink::{PartOf, Sink};
 use std::collections::{HashMap, HashSet};
+use std::fmt;
 
 pub(super) static RULES: &[Rule] = &[
     Rule::warning(
@@ -77,6 +78,23 @@ fn of(network: &Network, at: NamedAt) -> impl Iterator<Item = &Reference> {
     network.references.iter().filter(move |reference| reference.at == at)
 }
 
+/// A loop in words. It may be as long as the map, and there may be as many: only those that are told are put into words.
+struct Around<'a> {
+    network: &'a Network,
+    path: &'a [(Name, usize)],
+    /// The first one again.
+    last: Name,
+}
+
+impl fmt::Display for Around<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (signal, _) in self.path {
+            write!(f, "{} on ", self.network.name(*signal))?;
+        }
+        f.write_str(self.network.name(self.last))
+    }
+}
+
 /// Each loop once, at the dependency that closes it. Every dependency is followed once, so that long chains cost what they hold.
 fn cycles(network: &Network, sink: &mut Sink<'_>) {
     let mut next: HashMap<Name, Vec<&Reference>> = HashMap::new();
@@ -101,16 +119,9 @@ fn cycles(network: &Network, sink: &mut Sink<'_>) {
             };
             *followed += 1;
             if let Some(&first) = places.get(&link.id) {
-                let around = path[first..].iter().map(|(signal, _)| *signal).chain([link.id]);
-                let around: Vec<&str> = around.map(|id| network.name(id)).collect();
-                let place = link.path(network);
-                sink.add_at(
-                    || place,
-                    sink.severity,
-                    link.span,
-                    "no way back to the signal",
-                    around.join(" on "),
-                );
+                let around = Around { network, path: &path[first..], last: link.id };
+                let place = || link.path(network);
+                sink.add_at(place, sink.severity, link.span, "no way back to the signal", around);
             } else if done.insert(link.id) {
                 places.insert(link.id, path.len());
                 path.push((link.id, 0));

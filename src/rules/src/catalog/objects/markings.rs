@@ -7,7 +7,7 @@ use crate::rule::Check::Object;
 use crate::rule::Rule;
 use crate::sink::Sink;
 use mapd_xodr::{self as xodr, Marking, Outline};
-use std::collections::BTreeSet;
+use std::collections::HashMap;
 
 /// A parking space of 4 by 4 m with an outline of three corners, where it has one, and a marking.
 macro_rules! marked {
@@ -106,11 +106,11 @@ fn own(object: &xodr::Object) -> impl Iterator<Item = &Marking> {
     object.markings.iter().flat_map(|markings| &markings.marking)
 }
 
-/// Markings of the object and of its outlines, the latter with their outline.
-fn every(object: &xodr::Object) -> impl Iterator<Item = (Option<&Outline>, &Marking)> {
-    let within = all(object).flat_map(|outline| {
+/// Markings of the object and of its outlines, the latter with the outline's number.
+fn every(object: &xodr::Object) -> impl Iterator<Item = (Option<usize>, &Marking)> {
+    let within = all(object).enumerate().flat_map(|(number, outline)| {
         let markings = outline.markings.iter().flat_map(|markings| &markings.marking);
-        markings.map(move |marking| (Some(outline), marking))
+        markings.map(move |marking| (Some(number), marking))
     });
     own(object).map(|marking| (None, marking)).chain(within)
 }
@@ -157,17 +157,66 @@ fn corner_count(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     }
 }
 
-fn on_one_outline(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
-    for (outline, marking) in every(of.object) {
-        let named = references(marking);
-        let fits = |outline: &Outline| {
-            let corners: BTreeSet<u32> = corners(outline).into_iter().collect();
-            named.iter().all(|id| corners.contains(id))
+/// The corners of an object's outlines, by their ids: each of its markings asks for some.
+struct Corners<'a> {
+    outlines: Vec<&'a Outline>,
+    /// Ids of each outline's corners in their order.
+    ids: Vec<Vec<u32>>,
+    /// By id: outlines that have it, ascending, with the first corner of each that does.
+    places: HashMap<u32, Vec<(usize, usize)>>,
+}
+
+impl<'a> Corners<'a> {
+    /// None where the object has no marking.
+    fn of(object: &'a xodr::Object) -> Option<Self> {
+        every(object).next()?;
+        let outlines: Vec<&Outline> = all(object).collect();
+        let ids: Vec<Vec<u32>> = outlines.iter().map(|outline| corners(outline)).collect();
+        let mut places: HashMap<u32, Vec<(usize, usize)>> = HashMap::new();
+        for (number, ids) in ids.iter().enumerate() {
+            for (rank, id) in ids.iter().enumerate() {
+                let of_id = places.entry(*id).or_default();
+                if of_id.last().is_none_or(|(last, _)| *last < number) {
+                    of_id.push((number, rank));
+                }
+            }
+        }
+        Some(Self { outlines, ids, places })
+    }
+
+    fn of_id(&self, id: u32) -> &[(usize, usize)] {
+        self.places.get(&id).map_or(&[], Vec::as_slice)
+    }
+
+    /// Place of a corner in an outline.
+    fn rank(&self, outline: usize, id: u32) -> Option<usize> {
+        let of_id = self.of_id(id);
+        let at = of_id.binary_search_by_key(&outline, |(outline, _)| *outline).ok()?;
+        of_id.get(at).map(|(_, rank)| *rank)
+    }
+
+    fn has_all(&self, outline: usize, named: &[u32]) -> bool {
+        named.iter().all(|id| self.rank(outline, *id).is_some())
+    }
+
+    /// The first outline that has all of some corners.
+    fn find(&self, named: &[u32]) -> Option<usize> {
+        let Some(rarest) = named.iter().min_by_key(|id| self.of_id(**id).len()) else {
+            return (!self.outlines.is_empty()).then_some(0);
         };
-        let has_outline = all(of.object).next().is_some();
+        let mut having = self.of_id(*rarest).iter().map(|(outline, _)| *outline);
+        having.find(|outline| self.has_all(*outline, named))
+    }
+}
+
+fn on_one_outline(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
+    let Some(corners) = Corners::of(of.object) else { return };
+    for (within, marking) in every(of.object) {
+        let named = references(marking);
+        let outline = within.or_else(|| corners.find(&named));
         let is_on_one = match outline {
-            Some(outline) => fits(outline),
-            None => !has_outline || all(of.object).any(fits),
+            Some(outline) => corners.has_all(outline, &named),
+            None => corners.outlines.is_empty(),
         };
         if !is_on_one && !named.is_empty() {
             sink.add_within(
@@ -189,27 +238,12 @@ fn in_outline(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
     }
 }
 
-/// The outline that a marking runs along.
-fn outline_of<'a>(
-    object: &'a xodr::Object,
-    outline: Option<&'a Outline>,
-    named: &[u32],
-) -> Option<&'a Outline> {
-    outline.or_else(|| {
-        all(object).find(|outline| {
-            let corners = corners(outline);
-            named.iter().all(|id| corners.contains(id))
-        })
-    })
-}
-
 fn in_order(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
-    for (outline, marking) in every(of.object) {
+    let Some(corners) = Corners::of(of.object) else { return };
+    for (within, marking) in every(of.object) {
         let named = references(marking);
-        let Some(outline) = outline_of(of.object, outline, &named) else { continue };
-        let corners = corners(outline);
-        let ranks: Vec<usize> =
-            named.iter().filter_map(|id| corners.iter().position(|corner| corner == id)).collect();
+        let Some(outline) = within.or_else(|| corners.find(&named)) else { continue };
+        let ranks: Vec<usize> = named.iter().filter_map(|id| corners.rank(outline, *id)).collect();
         // Going around, ranks fall once.
         let falls = ranks.windows(2).filter(|pair| pair[1] < pair[0]).count();
         if falls > 1 || (falls == 1 && ranks.last() > ranks.first()) {
@@ -224,12 +258,14 @@ fn in_order(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
 }
 
 fn enclosed(of: &ObjectIn<'_>, sink: &mut Sink<'_>) {
-    for (outline, marking) in every(of.object) {
+    let Some(corners) = Corners::of(of.object) else { return };
+    for (within, marking) in every(of.object) {
         let named = references(marking);
-        let Some(outline) = outline_of(of.object, outline, &named) else { continue };
-        let corners = corners(outline);
-        let is_closed = value(&outline.closed) != Some(false);
-        if is_closed && corners.len() > 2 && named == corners {
+        let Some(outline) = within.or_else(|| corners.find(&named)) else { continue };
+        let is_closed =
+            corners.outlines.get(outline).is_some_and(|of| value(&of.closed) != Some(false));
+        let is_named = |ids: &Vec<u32>| ids.len() > 2 && named == *ids;
+        if is_closed && corners.ids.get(outline).is_some_and(is_named) {
             sink.add_within(
                 PART,
                 marking.span,
