@@ -1,7 +1,7 @@
 //! What a compilation yields besides rows.
 
 use crate::findings::reading::{
-    for_each_about, innermost, is_about_curve, is_small, is_unreadable, raise, without_message,
+    for_each_about, innermost, is_of_curve, is_small, is_unreadable, raise, without_message,
 };
 use crate::quarantine::{Cause, Exclusions, QuarantinedPart, Unit, Units, is_outside};
 use mapd_archive::{Provenance, Rows};
@@ -9,7 +9,7 @@ use mapd_rules::Settings;
 use mapd_rules::catalog::building;
 use mapd_xodr::source::Places;
 use mapd_xodr::{CountedFindings, Finding, Item, Severity, rule_ids};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -163,7 +163,10 @@ pub(crate) struct Collector {
     rejecting: usize,
     /// Whether something is wrong that nothing more can be built from.
     is_stopped: bool,
+    /// Why something is left out: of each part one at least, however many findings are kept. Else reading again and again would take out some after the others.
     causes: Vec<Cause>,
+    /// Starts of the parts that have a cause, and whether it is one that nothing more can be built from.
+    parts: HashSet<(u64, bool)>,
     units: Units,
     /// How many errors of reading there are among those only counted, where others of their kind are warnings.
     counted_errors: BTreeMap<ReadKind, u32>,
@@ -293,8 +296,12 @@ impl Collector {
             }
             self.push_read(finding, stops, places);
         }
+        let curves: HashSet<u64> =
+            built.iter().filter(|one| is_of_curve(one)).map(|one| one.span.start).collect();
         for (finding, explained) in unusable.into_iter().zip(explained) {
-            if !explained && !built.iter().any(|one| is_about_curve(one, &finding)) {
+            // Then a rule says, as an error, what the compiler finds: that a geometry is no curve.
+            let is_told = finding.subject.is_empty() && curves.contains(&{ finding.span.start });
+            if !explained && !is_told {
                 self.push(finding, Effect::Stops, places);
             }
         }
@@ -418,14 +425,25 @@ impl Collector {
         *told += 1;
         self.lacks_errors |= !kept && finding.severity == Severity::Error;
         self.reject_for(effect);
-        if kept {
+        let takes_out = effect >= Effect::TakesOut;
+        let is_cause = takes_out && (self.is_first_of_part(&finding, effect) || kept);
+        if kept || is_cause {
             let place = places.place(finding.span.start);
             let (line, column) = (place.position.line, place.position.column);
-            if effect >= Effect::TakesOut {
+            if is_cause {
                 self.causes.push(Cause::new(&finding, &place, effect == Effect::Stops));
+            }
+            if !kept {
+                return;
             }
             self.diagnostics.push(Diagnostic { finding, rejects, file: place.file, line, column });
         }
+    }
+
+    /// Notes that a finding takes out the part that it is in; whether it is the first one that does so in this way.
+    fn is_first_of_part(&mut self, finding: &Finding, effect: Effect) -> bool {
+        let (unit, stops) = (self.units.of(finding.span.start), effect == Effect::Stops);
+        unit.is_some_and(|unit| self.parts.insert((unit.start, stops)))
     }
 
     /// An error that is counted elsewhere takes out a part.
@@ -436,7 +454,7 @@ impl Collector {
         let kept = self.rejecting < KEPT;
         self.lacks_errors |= !kept;
         self.reject_for(effect);
-        if kept {
+        if self.is_first_of_part(&finding, effect) || kept {
             let (place, stops) = (places.place(finding.span.start), effect == Effect::Stops);
             self.causes.push(Cause::new(&finding, &place, stops));
         }

@@ -6,6 +6,7 @@
 mod append;
 mod interned;
 mod joints;
+mod lane_numbers;
 mod links;
 mod marks;
 mod objects;
@@ -22,7 +23,8 @@ use std::sync::Arc;
 
 pub(crate) use interned::Interned;
 pub(crate) use joints::Joint;
-pub(crate) use links::{Links, RoadWritten};
+pub(crate) use lane_numbers::LaneNumbers;
+pub(crate) use links::{LaneLink, Links, RoadWritten};
 pub(crate) use marks::Styles;
 pub(crate) use objects::{
     Border, Corner, Curve, Details, Lateral, Marking, Object, Objects, Outline, OutlineCorners,

@@ -86,8 +86,8 @@ impl Permissions {
 }
 
 fn of_lane<T>(rows: &[T], lane: u32, key: impl Fn(&T) -> u32) -> &[T] {
+    // Looked up, not counted: each of a lane's pieces asks for all of them.
     let from = rows.partition_point(|row| key(row) < lane);
-    let rows = rows.get(from..).unwrap_or(&[]);
-    let count = rows.iter().take_while(|row| key(row) == lane).count();
-    rows.get(..count).unwrap_or(&[])
+    let to = rows.partition_point(|row| key(row) <= lane);
+    rows.get(from..to).unwrap_or(&[])
 }

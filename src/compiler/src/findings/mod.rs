@@ -3,7 +3,9 @@
 pub(crate) mod reading;
 mod too_large;
 
-pub(crate) use too_large::{TooLarge, too_large, too_many_ids, too_many_overlaps, unfit};
+pub(crate) use too_large::{
+    TooLarge, too_large, too_large_in, too_many_ids, too_many_overlaps, too_much_behind, unfit,
+};
 
 use mapd_rules::Rule;
 use mapd_rules::catalog::building;

@@ -85,8 +85,7 @@ fn is_about(read: &Finding, unusable: &Finding) -> bool {
     tag.contains(&{ read.span.start }) && read.subject == unusable.subject
 }
 
-/// Whether a rule says of a geometry, as an error, what the compiler finds: that it is no curve.
-pub(crate) fn is_about_curve(found: &Finding, unusable: &Finding) -> bool {
-    let is_error = found.rule == COMPUTABLE && found.severity == Severity::Error;
-    is_error && unusable.subject.is_empty() && found.span.start == unusable.span.start
+/// Whether a rule says of a geometry, as an error, that it is no curve.
+pub(crate) fn is_of_curve(found: &Finding) -> bool {
+    found.rule == COMPUTABLE && found.severity == Severity::Error
 }

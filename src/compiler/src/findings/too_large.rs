@@ -1,16 +1,17 @@
 //! What does not fit the tables.
 
+use crate::draft::Draft;
 use crate::findings::finding;
-use mapd_archive::{MOST_OF_LANE, NONE, Rows};
+use mapd_archive::{MOST_OF_LANE, NONE, Rows, string};
 use mapd_rules::catalog::building;
-use mapd_xodr::{Finding, Severity};
+use mapd_xodr::{Finding, Severity, Span};
 
 /// A table outgrew 32-bit row numbers.
 #[derive(Debug)]
 pub(crate) struct TooLarge {
     table: &'static str,
-    /// Id of the road whose rows no longer fit, where rows come road by road.
-    road: Option<String>,
+    /// Row of the road whose rows no longer fit, where rows come road by road.
+    road: Option<u32>,
     /// Rows that there may be.
     most: usize,
 }
@@ -22,7 +23,7 @@ impl TooLarge {
 
     /// The rows of a lane no longer fit.
     pub(crate) fn at_lane(table: &'static str, rows: &Rows, lane: u32) -> Self {
-        Self { road: road_of(rows, lane).map(|(_, id)| id), ..Self::new(table) }
+        Self { road: road_of(rows, lane), ..Self::new(table) }
     }
 
     /// One lane has more rows than lanes may have.
@@ -38,26 +39,49 @@ impl std::fmt::Display for TooLarge {
             f,
             "expected at most {} rows{of} in the table `{}`, found more",
             self.most, self.table
-        )?;
-        match &self.road {
-            Some(road) => write!(f, " from road {road} on"),
-            None => Ok(()),
-        }
+        )
     }
 }
 
 impl std::error::Error for TooLarge {}
 
-/// Row and id of the road that a lane lies on.
-fn road_of(rows: &Rows, lane: u32) -> Option<(u32, String)> {
+/// Row of the road that a lane lies on.
+fn road_of(rows: &Rows, lane: u32) -> Option<u32> {
     let section = rows.sections.get(rows.lanes.get(lane as usize)?.section as usize)?;
-    let road = rows.roads.get(section.road as usize)?;
-    Some((section.road, mapd_archive::string(&rows.as_tables(), road.id).to_owned()))
+    rows.roads.get(section.road as usize).map(|_| section.road)
 }
 
-/// What the document asks for does not fit the tables.
-pub(crate) fn too_large(error: &TooLarge) -> Finding {
-    of_document(error.to_string())
+/// A road's id and start tag.
+type NamedRoad = (String, Span);
+
+fn named(rows: &Rows, road_spans: &[Span], road: u32) -> Option<NamedRoad> {
+    let row = rows.roads.get(road as usize)?;
+    let span = road_spans.get(road as usize).copied().unwrap_or_default();
+    Some((string(&rows.as_tables(), row.id).to_owned(), span))
+}
+
+/// What the document asks for does not fit the tables, which are finished but for their indexes.
+pub(crate) fn too_large(error: &TooLarge, rows: &Rows, road_spans: &[Span]) -> Finding {
+    at_road(error, error.road.and_then(|road| named(rows, road_spans, road)))
+}
+
+/// As [`too_large`], while ids are not in the tables yet.
+pub(crate) fn too_large_in(draft: &Draft, error: &TooLarge) -> Finding {
+    let road = error.road.and_then(|road| {
+        let row = draft.rows.roads.get(road as usize)?;
+        let id = String::from_utf8_lossy(draft.strings.bytes_of(row.id)).into_owned();
+        Some((id, draft.road_spans.get(road as usize).copied().unwrap_or_default()))
+    });
+    at_road(error, road)
+}
+
+/// At the road whose rows no longer fit, so that it can be left out.
+fn at_road(error: &TooLarge, road: Option<NamedRoad>) -> Finding {
+    let Some((id, span)) = road else { return of_document(error.to_string()) };
+    let path = format!("OpenDRIVE/road[@id={id}]");
+    let message = format!("{error} for road {id}");
+    let hint = "split the road, or compile the map in smaller tiles";
+    finding(&building::TOO_LARGE, Severity::Error, span, path, message, hint)
 }
 
 /// The rules cannot keep all ids that the document has and names.
@@ -65,26 +89,31 @@ pub(crate) fn too_many_ids() -> Finding {
     of_document("expected ids of at most 4 GiB together, found more".to_owned())
 }
 
+/// More than so many bytes follow the document, all of which its hash would count.
+pub(crate) fn too_much_behind(most: u64) -> Finding {
+    of_document(format!("expected at most {most} bytes behind the document, found more"))
+}
+
 /// More roads lie over one another than the rules look at.
 pub(crate) fn too_many_overlaps() -> Finding {
     let message = "expected roads that lie beside one another, found so many over one another that their overlaps are not all looked for";
-    let (span, path) = (mapd_xodr::Span::default(), "OpenDRIVE".to_owned());
+    let (span, path) = (Span::default(), "OpenDRIVE".to_owned());
     let hint = "remove copies of roads";
     finding(&building::OVERLAPS, Severity::Warning, span, path, message.to_owned(), hint)
 }
 
 fn of_document(message: String) -> Finding {
-    let (span, path) = (mapd_xodr::Span::default(), "OpenDRIVE".to_owned());
+    let (span, path) = (Span::default(), "OpenDRIVE".to_owned());
     let hint = "compile the map in smaller tiles";
     finding(&building::TOO_LARGE, Severity::Error, span, path, message, hint)
 }
 
 /// A lane bends so often that its polyline outgrows what a lane can have, or one of its length; or its section is so large that
 /// its points cannot be written within the tolerances.
-pub(crate) fn unfit(rows: &Rows, lane: u32, road_spans: &[mapd_xodr::Span]) -> Finding {
-    let (row, id) = road_of(rows, lane).unwrap_or_default();
+pub(crate) fn unfit(rows: &Rows, lane: u32, road_spans: &[Span]) -> Finding {
+    let road = road_of(rows, lane).and_then(|road| named(rows, road_spans, road));
+    let (id, span) = road.unwrap_or_default();
     let number = rows.lanes.get(lane as usize).map_or(0, |lane| lane.number);
-    let span = road_spans.get(row as usize).copied().unwrap_or_default();
     let path = format!("OpenDRIVE/road[@id={id}]");
     let message = format!(
         "expected lanes of at most {MOST_OF_LANE} points, no more than their lengths explain, that can be written within the tolerances, found others for lane {number} of road {id}"

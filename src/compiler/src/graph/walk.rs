@@ -7,7 +7,7 @@
 use super::Source;
 use super::attach::Attachments;
 use super::findings::{Problem, Problems};
-use super::incoming::Incoming;
+use super::incoming::{Incoming, IncomingConnection};
 use super::nodes::{first_node, pieces};
 use crate::draft::{Draft, Links};
 use mapd_archive::{
@@ -43,7 +43,7 @@ pub(crate) fn edges(
     problems: &mut Problems,
 ) -> Vec<Edge> {
     let Source { draft, links } = source;
-    let incoming = Incoming::new(draft);
+    let incoming = Incoming::new(source);
     let nodes: Vec<u32> = (0..draft.rows.lane_nodes.len() as u32).collect();
     let walked = nodes.par_chunks(NODES_PER_TASK).map(|nodes| {
         let mut problems = Problems::default();
@@ -159,29 +159,23 @@ impl Walk<'_> {
         let rows = &draft.rows;
         let Some(road) = rows.roads.get(number as usize) else { return };
         let incoming = self.incoming;
-        for (of, connection_row) in incoming.of_road(number) {
-            let Some(connection) =
-                rows.connections.get(*connection_row as usize).filter(|_| *of == junction)
-            else {
-                continue;
-            };
-            if both_ends(road, junction) && !self.starts_here(connection, number, forward) {
-                continue;
+        let entry = |walk: &Self, one: &IncomingConnection| {
+            let connection = rows.connections.get(one.connection as usize)?;
+            let is_ahead = one.junction == junction
+                && (!both_ends(road, junction) || walk.starts_here(connection, number, forward));
+            walk.touching(connection.connecting_road, connection.contact).filter(|_| is_ahead)
+        };
+        // OpenDRIVE 1.4: without lane links, lanes keep their numbers, as far as both roads have them.
+        for one in incoming.bare(number) {
+            if let Some(entry) = entry(self, one)
+                && let Some(written) = self.links.connection(one.connection)
+                && self.find(entry, row.number).is_some_and(|lane| self.travels(lane, entry))
+            {
+                self.enter(node, EdgeKind::Implied, written.span, entry, row.number);
             }
-            let Some(entry) = self.touching(connection.connecting_road, connection.contact) else {
-                continue;
-            };
-            let Some(written) = self.links.connection(*connection_row) else {
-                continue;
-            };
-            if self.links.connected(written).next().is_none() {
-                // OpenDRIVE 1.4: without lane links, lanes keep their numbers, as far as both roads have them.
-                if self.find(entry, row.number).is_some_and(|lane| self.travels(lane, entry)) {
-                    self.enter(node, EdgeKind::Implied, written.span, entry, row.number);
-                }
-            }
-            let links = self.links;
-            for link in links.connected(written).filter(|link| link.from == row.number) {
+        }
+        for (one, link) in incoming.links(number, row.number) {
+            if let Some(entry) = entry(self, one) {
                 self.enter(node, EdgeKind::Connection, link.span, entry, link.to);
             }
         }

@@ -5,8 +5,9 @@
 use super::Source;
 use crate::draft::Draft;
 use mapd_archive::NONE;
-use mapd_rules::network::Contact;
+use mapd_rules::network::{Contact, JunctionFacts};
 use mapd_xodr::{Junction, JunctionType, Span, Text as _, Value as _};
+use std::collections::HashMap;
 
 /// How far `[m]` along a road the lanes are looked at that a path across it may meet: more than a path is wide.
 const CROSSING_REACH: f64 = 10.0;
@@ -40,66 +41,98 @@ pub(crate) enum ZoneKind {
     Direct,
 }
 
+/// Stretches as they are found.
+#[derive(Default)]
+struct Stretches {
+    all: Vec<Stretch>,
+    /// By road its first one.
+    first: HashMap<u32, usize>,
+}
+
+impl Stretches {
+    fn add(&mut self, stretch: Stretch) {
+        self.first.entry(stretch.road).or_insert(self.all.len());
+        self.all.push(stretch);
+    }
+
+    /// Lets a road's stretch reach to a place.
+    fn touch(&mut self, road: u32, s: f64) {
+        match self.first.get(&road).and_then(|first| self.all.get_mut(*first)) {
+            Some(stretch) => {
+                (stretch.s_from, stretch.s_to) = (stretch.s_from.min(s), stretch.s_to.max(s));
+            }
+            None if road != NONE => self.add(Stretch { road, s_from: s, s_to: s }),
+            None => {}
+        }
+    }
+}
+
 /// The zones of all junctions in their order.
 pub(crate) fn zones(source: Source<'_>) -> Vec<Zone> {
     let Source { draft, links } = source;
     let rows = &draft.rows;
-    let mut zones: Vec<Zone> = links
+    let mut stretches: Vec<Stretches> = links
         .junctions()
-        .map(|junction| Zone {
-            stretches: junction.written.as_ref().map_or_else(Vec::new, |junction| {
-                [named(draft, junction), crossed(draft, junction)].concat()
-            }),
-            span: junction.span,
-            kind: match junction.kind {
-                JunctionType::Crossing => ZoneKind::Crossing,
-                JunctionType::Direct => ZoneKind::Direct,
-                _ => ZoneKind::Common,
-            },
+        .map(|junction| {
+            let mut stretches = Stretches::default();
+            if let Some(junction) = &junction.written {
+                named(draft, junction, &mut stretches);
+                crossed(draft, junction, &mut stretches);
+            }
+            stretches
         })
         .collect();
     for (number, road) in rows.roads.iter().enumerate().filter(|(_, road)| road.junction != NONE) {
-        if let Some(zone) = zones.get_mut(road.junction as usize) {
+        if let Some(stretches) = stretches.get_mut(road.junction as usize) {
             let road_number = number as u32;
-            zone.stretches.push(Stretch { road: road_number, s_from: 0.0, s_to: road.length });
+            stretches.add(Stretch { road: road_number, s_from: 0.0, s_to: road.length });
             // Where it attaches inside another road, that road is part of the zone.
             let ends = Contact::BOTH.into_iter().zip([road.predecessor, road.successor]);
             for (end, target) in ends {
                 if let Some(s) = links.road_link(road_number, end).and_then(|link| link.s) {
-                    touch(&mut zone.stretches, target, s);
+                    stretches.touch(target, s);
                 }
             }
         }
     }
-    for (number, zone) in zones.iter_mut().enumerate().filter(|(_, z)| z.kind == ZoneKind::Direct) {
-        overlaps(source, number as u32, &mut zone.stretches);
-    }
-    zones
+    let zone = |(number, (junction, mut stretches)): (u32, (&JunctionFacts, Stretches))| {
+        let kind = match junction.kind {
+            JunctionType::Crossing => ZoneKind::Crossing,
+            JunctionType::Direct => {
+                overlaps(source, number, &mut stretches);
+                ZoneKind::Direct
+            }
+            _ => ZoneKind::Common,
+        };
+        Zone { stretches: stretches.all, span: junction.span, kind }
+    };
+    (0..).zip(links.junctions().zip(stretches)).map(zone).collect()
 }
 
 /// Stretches of roads around the ends of paths across them.
-fn crossed(draft: &Draft, junction: &Junction) -> Vec<Stretch> {
+fn crossed(draft: &Draft, junction: &Junction, stretches: &mut Stretches) {
     let ends = junction.cross_path.iter().flat_map(|path| {
         [
             (path.road_at_start.text(), path.start_lane_link.as_deref()),
             (path.road_at_end.text(), path.end_lane_link.as_deref()),
         ]
     });
-    let mut stretches = Vec::new();
+    // Apart from those that the junction names.
+    let mut crossed = Stretches::default();
     for (id, link) in ends {
         if let Some(road) = road_of(draft, id)
             && let Some(s) = link.and_then(|link| link.s.value())
         {
-            touch(&mut stretches, road, s - CROSSING_REACH);
-            touch(&mut stretches, road, s + CROSSING_REACH);
+            crossed.touch(road, s - CROSSING_REACH);
+            crossed.touch(road, s + CROSSING_REACH);
         }
     }
-    stretches
+    crossed.all.into_iter().for_each(|stretch| stretches.add(stretch));
 }
 
 /// Stretches of the roads of a direct junction along which their lanes may overlap: the longest of each road's lane links,
 /// from the joint.
-fn overlaps(source: Source<'_>, junction: u32, stretches: &mut Vec<Stretch>) {
+fn overlaps(source: Source<'_>, junction: u32, stretches: &mut Stretches) {
     let rows = &source.draft.rows;
     let links = source.links;
     let Some(facts) = links.junction(junction) else { return };
@@ -116,8 +149,8 @@ fn overlaps(source: Source<'_>, junction: u32, stretches: &mut Vec<Stretch>) {
         let mut from_joint = |road: u32, at_end: bool| {
             let length = rows.roads.get(road as usize).map_or(0.0, |road| road.length);
             let (near, far) = if at_end { (length, length - zone) } else { (0.0, zone) };
-            touch(stretches, road, near);
-            touch(stretches, road, far);
+            stretches.touch(road, near);
+            stretches.touch(road, far);
         };
         let [incoming, linked] = links.network.connected_ends(facts, connected);
         for (road, at) in
@@ -131,7 +164,7 @@ fn overlaps(source: Source<'_>, junction: u32, stretches: &mut Vec<Stretch>) {
 }
 
 /// Stretches that a junction names itself.
-fn named(draft: &Draft, junction: &Junction) -> Vec<Stretch> {
+fn named(draft: &Draft, junction: &Junction, stretches: &mut Stretches) {
     let stretch = |id: &str, from: Option<f64>, to: Option<f64>| {
         let road = road_of(draft, id)?;
         let (from, to) = (from?, to?);
@@ -141,18 +174,7 @@ fn named(draft: &Draft, junction: &Junction) -> Vec<Stretch> {
         stretch(section.road_id.text(), section.s_start.value(), section.s_end.value())
     });
     let main = stretch(junction.main_road.text(), junction.s_start.value(), junction.s_end.value());
-    sections.chain(main).collect()
-}
-
-/// Lets a road's stretch reach to a place.
-fn touch(stretches: &mut Vec<Stretch>, road: u32, s: f64) {
-    match stretches.iter_mut().find(|stretch| stretch.road == road) {
-        Some(stretch) => {
-            (stretch.s_from, stretch.s_to) = (stretch.s_from.min(s), stretch.s_to.max(s));
-        }
-        None if road != NONE => stretches.push(Stretch { road, s_from: s, s_to: s }),
-        None => {}
-    }
+    sections.chain(main).for_each(|stretch| stretches.add(stretch));
 }
 
 /// The road of an id.

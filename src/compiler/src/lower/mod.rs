@@ -39,6 +39,30 @@ use objects::{assumed_unit, lanes, orientation};
 use sections::{Layer, OnRoad};
 use speeds::speed;
 
+/// Most that a road has of something along it times the lanes of one of its sections: what is made for each lane at each of them would else grow with the square of
+/// the text.
+#[derive(Clone, Copy)]
+struct TimesLanes {
+    most: usize,
+    /// Beyond these, for each of what there is and for each lane.
+    of_each: usize,
+}
+
+/// Records that shape all lanes, each of which is a point of each lane's lines. Maps at hand have up to 16,014.
+const SHAPES: TimesLanes = TimesLanes { most: 1 << 17, of_each: 64 };
+/// Speeds of road types, each of which is a step along each lane where its time is added up. Maps at hand have up to 18.
+const SPEEDS: TimesLanes = TimesLanes { most: 1 << 12, of_each: 32 };
+
+impl TimesLanes {
+    /// What is wrong with so many records and lanes, if there are too many.
+    fn exceeded(self, what: &str, records: usize, lanes: usize) -> Option<String> {
+        let most = self.most.saturating_add(self.of_each.saturating_mul(records + lanes));
+        (records.saturating_mul(lanes) > most).then(|| {
+            format!("expected {what} times lanes of a section of at most {most}, found {records} times {lanes}")
+        })
+    }
+}
+
 impl Draft {
     pub(crate) fn header(&mut self, header: &Header, findings: &mut Vec<Finding>) {
         let mut row: MapRow = bytemuck::Zeroable::zeroed();
@@ -115,6 +139,7 @@ impl Draft {
         let types = self.types(road, &path, findings);
         let sections = lanes.map_or(&[][..], |lanes| &lanes.lane_section);
         let right_hand = road.rule.value() != Some(TrafficRule::Lht);
+        self.check_times_lanes(road, sections, &path, findings);
         let on = OnRoad { row: number, length, right_hand, path: &path };
         let sections = self.sections(on, Layer { is_temporary: false }, sections, findings);
         if let Some(lanes) = road.temporary_lanes() {
@@ -187,6 +212,33 @@ impl Draft {
         let layer = Layer { is_temporary: true };
         let sections = self.sections(on, layer, &lanes.lane_section, findings);
         self.rows.lane_layers.push(LaneLayerRow { road: on.row, sections, lane_offsets });
+    }
+
+    /// Says if what runs along a road is too much for its lanes.
+    fn check_times_lanes(
+        &self,
+        road: &Road,
+        sections: &[xodr::LaneSection],
+        path: &str,
+        findings: &mut Vec<Finding>,
+    ) {
+        let lanes_of = |section: &xodr::LaneSection| {
+            let sides = [&section.left, &section.right].into_iter().flatten();
+            sides.map(|side| side.lane.len()).sum::<usize>()
+        };
+        let lanes = sections.iter().map(lanes_of).max().unwrap_or(0);
+        let shapes = road.plan_view.as_ref().map_or(0, |plan| plan.geometry.len())
+            + road.elevation_profile.as_ref().map_or(0, |profile| profile.elevation.len())
+            + road.lateral_profile.as_ref().map_or(0, |profile| profile.superelevation.len())
+            + road.permanent_lanes().map_or(0, |lanes| lanes.lane_offset.len());
+        let speeds = road.r#type.iter().filter(|record| record.speed.is_some()).count();
+        let shapes = SHAPES.exceeded("geometries, heights and offsets", shapes, lanes);
+        let speeds = SPEEDS.exceeded("speeds of road types", speeds, lanes);
+        for message in [shapes, speeds].into_iter().flatten() {
+            let span = road.lanes.first().map_or(road.span, |lanes| lanes.span);
+            let mut part = ElementContext { span, path: ElementPath::new(path, "lanes"), findings };
+            part.add(&building::TOO_LARGE, Severity::Error, message);
+        }
     }
 
     fn types(&mut self, road: &Road, path: &str, findings: &mut Vec<Finding>) -> Range {

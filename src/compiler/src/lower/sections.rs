@@ -64,6 +64,9 @@ pub(super) struct OnRoad<'a> {
     pub(super) path: &'a str,
 }
 
+/// Lanes that a section has at most, without lane 0. Many things are for all lanes of a section, or lie beside all that are further in. Maps at hand have up to 16.
+const LANES: usize = 1024;
+
 /// Lanes that go on past sections for the other side, at most: so many for each section of their road, all together. Each is a
 /// row for each such section, so that without a limit rows would grow with the square of the text.
 const CONTINUED_LANES: usize = 64;
@@ -189,7 +192,17 @@ fn sides(
             if replaces[k] {
                 written[k] = i;
             } else if let Some(before) = stretches.last().and_then(|before| before.get(k)) {
-                let continues = u16::try_from(i - written[k]).unwrap_or(u16::MAX);
+                let continues = u16::try_from(i - written[k]);
+                if continues.is_err() && i - written[k] == usize::from(u16::MAX) + 1 {
+                    let path = ElementPath::new(road, "lanes/laneSection");
+                    let mut part = ElementContext { span: section.span, path, findings };
+                    let message = format!(
+                        "expected lanes that go on past at most {} sections with singleSide, found more",
+                        u16::MAX
+                    );
+                    part.add(&building::TOO_LARGE, Severity::Error, message);
+                }
+                let continues = continues.unwrap_or(u16::MAX);
                 *side = Side { begins: *s, continues, ..*before };
             }
         }
@@ -229,6 +242,14 @@ impl Draft {
             let row = self.rows.sections.len() as u32;
             self.owners.add(section.span, AnnotationOwner::Section, row);
             let mut right = lanes_of(section, path, findings);
+            if right.len() > LANES + 1 {
+                let path = ElementPath::new(path, "lanes/laneSection");
+                let mut part = ElementContext { span: section.span, path, findings };
+                let message =
+                    format!("expected at most {LANES} lanes in a section, found {}", right.len());
+                part.add(&building::TOO_LARGE, Severity::Error, message);
+                right.clear();
+            }
             let count = right.partition_point(|lane| lane.id > 0);
             // Of one id there is one lane.
             let center = right.get(count).copied().filter(|lane| lane.id == 0);

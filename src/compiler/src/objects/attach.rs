@@ -3,6 +3,7 @@
 
 use super::near_lanes::NearLanes;
 use super::track_area::{Profile, Stretch, TrackArea};
+use crate::draft::LaneNumbers;
 use crate::findings::TooLarge;
 use crate::sample::view;
 use glam::DVec2;
@@ -56,7 +57,7 @@ pub(super) struct Reference {
     pub(super) t: f64,
     pub(super) valid_length: f64,
     pub(super) orientation: Orientation,
-    pub(super) validities: Vec<(i32, i32)>,
+    pub(super) lanes: LaneNumbers,
 }
 
 /// Fills `object_lanes`, `lane_objects` and the objects' ranges. Returns the rows of objects that belong to no lane.
@@ -115,8 +116,7 @@ struct Lanes<'a> {
 /// Lanes that a file says something is for.
 #[derive(Clone, Copy)]
 struct MeantFor<'a> {
-    /// Their numbers, from and to.
-    lanes: &'a [(i32, i32)],
+    lanes: &'a LaneNumbers,
     /// Which way they lead.
     orientation: Orientation,
 }
@@ -130,8 +130,9 @@ fn lanes_of<'a>(
 ) -> Vec<ObjectLaneRow> {
     let Lanes { map, .. } = lanes;
     let mut places = LaneAttachments::default();
-    let validities: Vec<(i32, i32)> =
+    let written: Vec<(i32, i32)> =
         object.validities().map(|lanes| (lanes.from, lanes.to)).collect();
+    let named = LaneNumbers::new(&written);
     let mut probes = Vec::new();
     for placement in object.placements() {
         let area = object.road().and_then(|road| Some((road, area(&road, &placement)?)));
@@ -139,7 +140,7 @@ fn lanes_of<'a>(
         if let Some((road, area)) = area {
             let area = area.lengthened((placement.s() + object.valid_length()).min(road.length()));
             let area = area.along(&road);
-            let meant = MeantFor { lanes: &validities, orientation: object.orientation() };
+            let meant = MeantFor { lanes: &named, orientation: object.orientation() };
             is_named = by_validity(&area, meant, &mut places);
             if !is_named {
                 by_position(&area, object.orientation(), &mut places);
@@ -155,7 +156,7 @@ fn lanes_of<'a>(
         let Some(area) = TrackArea::new(corner) else { continue };
         let area = area.lengthened((reference.s + reference.valid_length).min(road.length()));
         let area = area.along(&road);
-        let meant = MeantFor { lanes: &reference.validities, orientation: reference.orientation };
+        let meant = MeantFor { lanes: &reference.lanes, orientation: reference.orientation };
         if !by_validity(&area, meant, &mut places) {
             by_position(&area, reference.orientation, &mut places);
         }
@@ -206,12 +207,11 @@ fn area(road: &Road<'_>, placement: &ObjectPlacement<'_>) -> Option<TrackArea> {
 /// Lanes that the file names, those that lead where the object is for, if any does. False where it names none that the road has
 /// there.
 fn by_validity(area: &Profile<'_>, meant: MeantFor<'_>, places: &mut LaneAttachments) -> bool {
-    let is_meant =
-        |number: i32| meant.lanes.iter().any(|(from, to)| *from <= number && number <= *to);
     if meant.lanes.is_empty() {
         return false;
     }
-    let named = area.lanes(true).into_iter().filter(|(lane, _)| is_meant(lane.number()));
+    let named =
+        area.lanes(true).into_iter().filter(|(lane, _)| meant.lanes.contains(lane.number()));
     add_leading(named, meant.orientation, LaneMethod::Validity, places)
 }
 
@@ -266,9 +266,15 @@ fn on_other_roads(
 ) {
     placement.probes(PROBES.0, PROBES.1, probes);
     let own = placement.object().road().map_or(NONE, |road| road.road_id().row());
+    let other = |lane: &Lane<'_>| lane.road().road_id().row() != own;
+    let low = probes.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+    let high = probes.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
+    // Most lie beside their own road alone.
+    if probes.is_empty() || !lanes.near.any_within(lanes.map, [low, high], other) {
+        return;
+    }
     let ground = ground(placement);
     for probe in probes.iter() {
-        let other = |lane: &Lane<'_>| lane.road().road_id().row() != own;
         for (lane, at) in lanes.near.around(lanes.map, *probe, 0.0, other) {
             if at.distance == 0.0 && is_level(&at, ground) {
                 let stretch = Stretch { s: [at.s; 2], distance: 0.0 };

@@ -1,7 +1,7 @@
 //! Bridges, tunnels, references to objects, and railways: stored as written, ids made rows.
 
 use super::attach::Reference;
-use crate::draft::{Objects, Switch};
+use crate::draft::{LaneNumbers, Objects, Switch};
 use crate::findings::TooLarge;
 use crate::sample::view;
 use mapd_archive::{
@@ -44,7 +44,7 @@ pub(super) fn append(
                 t: row.t,
                 valid_length: f64::from(row.valid_length),
                 orientation: Orientation::from_code(row.orientation),
-                validities: reference.validities.clone(),
+                lanes: LaneNumbers::new(&reference.validities),
             };
             references.push((object, reference));
         }

@@ -11,6 +11,7 @@ use mapd_archive::{
     NONE, ObjectBorderRow, ObjectMarkingRow, ObjectMaterialRow, ObjectSkeletonRow, ObjectValueRow,
     ParkingSpaceRow, Range, Rows, SkeletonVertexRow,
 };
+use std::collections::HashMap;
 
 /// The vertices of an object's skeletons, line by line, in its own frame.
 pub(super) fn skeletons(
@@ -34,32 +35,57 @@ pub(super) fn skeletons(
     details.skeletons.iter().map(|line| line.iter().filter_map(vertex).collect()).collect()
 }
 
-/// Ids of an object's corners, outline by outline, and where its outlines and points begin in their tables.
+/// An object's corners by their ids: each of its details asks for some.
 pub(super) struct Corners {
-    /// (id, number of the point within the outline) of each outline.
-    ids: Vec<Vec<(u32, u32)>>,
+    /// Number of outlines.
+    outlines: usize,
+    /// By id: outlines that have it, ascending, with the number of the first point of each that does.
+    places: HashMap<u32, Vec<(u32, u32)>>,
 }
 
 impl Corners {
     pub(super) fn new(shapes: &[Shape]) -> Self {
-        Self { ids: shapes.iter().map(|shape| shape.corners.clone()).collect() }
+        let mut places: HashMap<u32, Vec<(u32, u32)>> = HashMap::new();
+        for (number, shape) in (0u32..).zip(shapes) {
+            for (id, point) in &shape.corners {
+                let of_id = places.entry(*id).or_default();
+                if of_id.last().is_none_or(|(last, _)| *last < number) {
+                    of_id.push((number, *point));
+                }
+            }
+        }
+        Self { outlines: shapes.len(), places }
+    }
+
+    fn of_id(&self, id: u32) -> &[(u32, u32)] {
+        self.places.get(&id).map_or(&[], Vec::as_slice)
+    }
+
+    /// The number of a corner's point within an outline.
+    fn point(&self, outline: u32, id: u32) -> Option<u32> {
+        let of_id = self.of_id(id);
+        let at = of_id.binary_search_by_key(&outline, |(outline, _)| *outline).ok()?;
+        of_id.get(at).map(|(_, point)| *point)
+    }
+
+    /// The first outline that has all of some corners.
+    fn find(&self, ids: &[u32]) -> Option<u32> {
+        let rarest = ids.iter().min_by_key(|id| self.of_id(**id).len())?;
+        let mut having = self.of_id(*rarest).iter().map(|(outline, _)| *outline);
+        having.find(|outline| ids.iter().all(|id| self.point(*outline, *id).is_some()))
     }
 
     /// The row of the outline and the points that a line runs along. Corners that the outline does not have are passed
     /// over; a rule names them.
     fn resolve(&self, along: &OutlineCorners, rows: &Rows, outlines: Range) -> (u32, Vec<u32>) {
-        let has = |outline: &Vec<(u32, u32)>| {
-            along.corners.iter().all(|id| outline.iter().any(|(of, _)| of == id))
-        };
-        let number = along.outline.or_else(|| {
-            (!along.corners.is_empty()).then(|| self.ids.iter().position(has)).flatten()
-        });
-        let Some((number, ids)) = number.and_then(|n| Some((n as u32, self.ids.get(n)?))) else {
+        let stated = along.outline.map(|number| number as u32);
+        let number = stated.or_else(|| self.find(&along.corners));
+        let Some(number) = number.filter(|number| (*number as usize) < self.outlines) else {
             return (NONE, Vec::new());
         };
         let row = outlines.first + number;
         let first = rows.object_outlines.get(row as usize).map_or(0, |row| row.points.first);
-        let point = |id: &u32| ids.iter().find(|(of, _)| of == id).map(|(_, at)| first + at);
+        let point = |id: &u32| self.point(number, *id).map(|at| first + at);
         (row, along.corners.iter().filter_map(point).collect())
     }
 }

@@ -57,6 +57,9 @@ impl Copy {
     }
 }
 
+/// Copies of an object times the corners of its outlines, at most: all corners of a copy tell which lanes it lies on. Maps at hand have up to 384.
+const MOST_CORNERS_OF_COPIES: usize = 1 << 16;
+
 /// What is known of an object once it is placed.
 struct PlacedObject {
     row: ObjectRow,
@@ -175,8 +178,17 @@ fn place(
         }
     }
     let mut copies = Vec::with_capacity(room);
+    let corners: usize = shapes.iter().map(|shape| shape.points.len()).sum();
     for repeat in &object.repeats {
         let before = copies.len();
+        let wanted = before + repeat::count(line, repeat);
+        if wanted.saturating_mul(corners) > MOST_CORNERS_OF_COPIES.max(corners) {
+            let message = format!(
+                "expected copies times corners of an object of at most {MOST_CORNERS_OF_COPIES}, found {wanted} times {corners}; the repetition is left out"
+            );
+            findings.push(finding(map, object, REPEAT, repeat.span, message));
+            continue;
+        }
         let bounds = repeat::Bounds { tolerance: options.bound_tolerance, copies: room - before };
         let outcome = repeat::copies(line, object, repeat, bounds, &mut copies);
         let new = copies[before..].iter().map(Copy::made).sum::<usize>();
@@ -230,7 +242,7 @@ fn append(
         let map = Map::new(&archive, 0);
         findings.push(too_detailed(map, object, "a part, with all others of the map,"));
     }
-    let corners = details::Corners::new(&placed.shapes);
+    let corners = object.details.as_deref().map(|_| details::Corners::new(&placed.shapes));
     let before = rows.object_outlines.len();
     for shape in placed.shapes {
         append_shape(rows, shape)?;
@@ -251,8 +263,8 @@ fn append(
     row.copies = Range::between(before, rows.object_copies.len())
         .ok_or_else(|| TooLarge::new("object_copies"))?;
     row.validities = beside::lane_ranges(rows, &object.validities)?;
-    if let Some(details) = object.details.as_deref() {
-        let of = details::Of { object: number, outlines: row.outlines, corners: &corners };
+    if let (Some(details), Some(corners)) = (object.details.as_deref(), &corners) {
+        let of = details::Of { object: number, outlines: row.outlines, corners };
         details::append(rows, &of, details, placed.skeletons)?;
     }
     rows.objects.push(row);

@@ -2,9 +2,9 @@
 
 use crate::sample::distance_to_segment;
 use glam::DVec2;
-use mapd_query::compiling::{ByRow as _, position_along};
+use mapd_query::compiling::{ByRow as _, SectionCutter, position_along};
 use mapd_query::vocabulary::LaneType;
-use mapd_query::{Lane, LanePosition, Map};
+use mapd_query::{Lane, LaneEdges, LanePosition, Map};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
@@ -32,8 +32,9 @@ impl NearLanes {
     /// Over all lanes that something may belong to: not the ones without a use.
     pub(crate) fn new(map: Map<'_>) -> Self {
         let mut boxes = Vec::new();
+        let mut reaches = Reaches::default();
         for lane in map.lanes().filter(|lane| lane.kind() != LaneType::None) {
-            let reach = reach(&lane);
+            let reach = reaches.of(&lane);
             let center: Vec<DVec2> = lane.center_line().positions().map(|p| p.truncate()).collect();
             let mut from = 0;
             while from + 1 < center.len() {
@@ -49,6 +50,18 @@ impl NearLanes {
             }
         }
         Self { tree: RTree::bulk_load(boxes) }
+    }
+
+    /// Whether a lane which the condition holds for may come into a rectangle.
+    pub(crate) fn any_within<'a>(
+        &self,
+        map: Map<'a>,
+        [low, high]: [DVec2; 2],
+        fits: impl Fn(&Lane<'a>) -> bool,
+    ) -> bool {
+        let area = AABB::from_corners(low.to_array(), high.to_array());
+        let mut found = self.tree.locate_in_envelope_intersecting(area);
+        found.any(|found| map.lane_by_row(found.data.lane).is_some_and(|lane| fits(&lane)))
     }
 
     /// Lanes whose areas come as near to a point as `reach` `[m]` and which the condition holds for, each with the place
@@ -103,9 +116,41 @@ fn away(lane: &Lane<'_>, segment: usize, point: DVec2) -> f64 {
     distance_to_segment(point.extend(0.0), a.with_z(0.0), b.with_z(0.0))
 }
 
-/// Largest distance of a lane's borders from its centre line `[m]`: half its greatest width, doubled for what lies between
-/// the points of its borders.
-fn reach(lane: &Lane<'_>) -> f64 {
-    let stations = lane.left_bound().stations().chain(lane.right_bound().stations());
-    stations.map(|s| lane.width_at(s)).fold(0.0, f64::max)
+/// Largest distances of lanes' borders from their centre lines, section by section.
+#[derive(Default)]
+struct Reaches {
+    /// The section, by the row of its first lane, and the distances of its lanes.
+    section: Option<(u32, Vec<f64>)>,
+    stations: Vec<(f64, usize)>,
+}
+
+impl Reaches {
+    /// Half its greatest width, doubled for what lies between the points of its borders `[m]`.
+    fn of(&mut self, lane: &Lane<'_>) -> f64 {
+        let section = lane.section();
+        let Some(first) = section.lanes().next().map(|first| first.lane_id().row()) else {
+            return 0.0;
+        };
+        let known = self.section.take().filter(|(of, _)| *of == first);
+        let (_, reaches) = self.section.insert(known.unwrap_or_else(|| (first, Vec::new())));
+        if reaches.is_empty() {
+            // Place after place, not lane after lane: the section's records change once for all lanes.
+            self.stations.clear();
+            for (at, lane) in section.lanes().enumerate() {
+                let own = lane.left_bound().stations().chain(lane.right_bound().stations());
+                self.stations.extend(own.map(|s| (s, at)));
+                reaches.push(0.0);
+            }
+            self.stations.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let mut cutter = SectionCutter::new(section);
+            for (s, at) in &self.stations {
+                let edges = cutter.as_mut().and_then(|cutter| cutter.lane_edges(*at, *s));
+                if let Some(reach) = reaches.get_mut(*at) {
+                    *reach = reach.max(edges.map_or(0.0, LaneEdges::width));
+                }
+            }
+        }
+        let own = (lane.lane_id().row() - first) as usize;
+        reaches.get(own).copied().unwrap_or(0.0)
+    }
 }

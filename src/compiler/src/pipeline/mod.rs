@@ -7,7 +7,9 @@ mod rounds;
 mod stream;
 
 use crate::draft::{Draft, Links};
-use crate::findings::{no_roads, too_large, too_many_ids, too_many_overlaps, unfit};
+use crate::findings::{
+    no_roads, too_large, too_large_in, too_many_ids, too_many_overlaps, too_much_behind, unfit,
+};
 use crate::options::{CompileOptions, Lowering, ReadOptions};
 use crate::quarantine::{Cause, Exclusions, QuarantinedPart, Units};
 use crate::report::{Collector, Compilation, Progress, Verdict, Version};
@@ -84,7 +86,7 @@ fn build(
         match index::lanes(&mut rows, options) {
             Ok(()) => compiled.rows = Some(rows),
             Err(error) => {
-                compiled.reject(too_large(&error));
+                compiled.reject(too_large(&error, &rows, &[]));
                 compiled.quarantined.clear();
             }
         }
@@ -170,7 +172,8 @@ impl Document {
             }
             Ok(lanes) => lanes,
             Err(error) => {
-                self.collector.add_late(vec![too_large(&error)], &self.places);
+                let found = too_large(&error, &rows, &road_spans);
+                self.collector.add_late(vec![found], &self.places);
                 return Ok(None);
             }
         };
@@ -188,7 +191,10 @@ impl Document {
         self.collector.add_late(findings, &self.places);
         match objects::build(&mut rows, written, options) {
             Ok(findings) => self.collector.add_late(findings, &self.places),
-            Err(error) => self.collector.add_late(vec![too_large(&error)], &self.places),
+            Err(error) => {
+                let found = too_large(&error, &rows, &road_spans);
+                self.collector.add_late(vec![found], &self.places);
+            }
         }
         let findings = signals::complete(&mut rows, &self.signals, options);
         self.collector.add_late(findings, &self.places);
@@ -332,18 +338,24 @@ fn read(
     if let Some(cuts) = cuts.filter(|_| !collector.is_stopped()) {
         let mut late = Vec::new();
         let links = Links::new(&draft.road_spans, &network);
-        let (cuts, settings) = (cuts.map_err(io::Error::other)?, &collector.settings);
-        graph = graph::edges(&mut draft, &links, &cuts, &places, settings, &mut late)
-            .map_err(io::Error::other)?;
+        let settings = &collector.settings;
+        let made = cuts
+            .and_then(|cuts| graph::edges(&mut draft, &links, &cuts, &places, settings, &mut late));
+        match made {
+            Ok(made) => graph = made,
+            Err(error) => late.push(too_large_in(&draft, &error)),
+        }
         collector.add_late(late, &places);
     }
     let most = reading.limits.source.decoded_bytes;
     let input_hash = match hashing.finish(included(&places), most)? {
         Some(hash) => hash,
         // Nothing is made of it that the hash would have to name.
-        None if collector.is_rejected() => [0; 32],
         None => {
-            return Err(io::Error::other(format!("more than {most} bytes follow the document")));
+            if !collector.is_rejected() {
+                collector.add_late(vec![too_much_behind(most)], &places);
+            }
+            [0; 32]
         }
     };
     let provenance =

@@ -1,6 +1,6 @@
 //! Ids become rows: signals, controllers, groups, priorities.
 
-use crate::draft::{Draft, Links, OnCarrier, Position, Signals, between};
+use crate::draft::{Draft, LaneNumbers, Links, OnCarrier, Position, Signals, between};
 use crate::findings::finding;
 use glam::DVec3;
 use mapd_archive::{JunctionControllerRow, JunctionPriorityRow, NONE, Range, Rows};
@@ -21,7 +21,7 @@ pub(crate) struct PlaceWritten {
     pub(crate) t: f64,
     pub(crate) orientation: u8,
     pub(crate) kind: u8,
-    pub(crate) validity: Box<[(i32, i32)]>,
+    pub(crate) lanes: LaneNumbers,
     /// Whether roads refer to the signal, or to what carries it: then they say which lanes it is for where a validity names none.
     pub(crate) has_references: bool,
     pub(crate) span: Span,
@@ -107,13 +107,15 @@ fn signal_places(
     let referenced = referenced(draft, pending, signals);
     let has_references = |number: u32| referenced.get(number as usize).copied().unwrap_or(false);
     // A sign on a board is for the lanes that the board's carrier is for, unless it says otherwise. Carriers come first.
-    let mut validities: Vec<&[(i32, i32)]> = Vec::with_capacity(pending.signals.len());
+    let mut lanes: Vec<LaneNumbers> = Vec::with_capacity(pending.signals.len());
     let mut out: Vec<PlaceWritten> = rows
         .map(|(number, (row, written))| {
-            let of_carrier = validities.get(row.carrier as usize).copied().unwrap_or_default();
-            let own = &written.validity[..];
-            let validity = if own.is_empty() { of_carrier } else { own };
-            validities.push(validity);
+            let own = if written.validity.is_empty() {
+                lanes.get(row.carrier as usize).cloned().unwrap_or_default()
+            } else {
+                LaneNumbers::new(&written.validity)
+            };
+            lanes.push(own.clone());
             PlaceWritten {
                 signal: number as u32,
                 road: row.road,
@@ -121,7 +123,7 @@ fn signal_places(
                 t: row.t,
                 orientation: row.orientation,
                 kind: 0,
-                validity: validity.into(),
+                lanes: own,
                 has_references: has_references(number as u32),
                 span: written.span,
                 line: row.line,
@@ -150,7 +152,7 @@ fn signal_places(
             t: reference.t,
             orientation: reference.orientation,
             kind: 1,
-            validity: reference.validity.clone(),
+            lanes: LaneNumbers::new(&reference.validity),
             has_references: true,
             span: reference.span,
             line,

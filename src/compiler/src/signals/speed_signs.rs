@@ -12,7 +12,7 @@ use mapd_query::compiling::{SpeedSigns, Zone, is_of_speed, signals_of_lanes};
 use mapd_query::{Lane, Map};
 use mapd_rules::catalog::building;
 use mapd_xodr::{Finding, Severity};
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, HashMap, VecDeque};
 
 /// What holds at a place, by rows of signals.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -54,7 +54,7 @@ impl State {
     }
 
     fn signs<'a>(&self, map: Map<'a>) -> SpeedSigns<'a> {
-        let signal = |row: u32| map.signals().nth(row as usize);
+        let signal = |row: u32| map.signal_by_row(row);
         let zone = match self.zone {
             ZoneState::None => Zone::None,
             ZoneState::Of(row) => signal(row).map_or(Zone::None, Zone::Of),
@@ -73,9 +73,13 @@ pub(super) fn find(rows: &Rows, resolved: &Resolved) -> (Vec<SpeedSignsAtEntryRo
     if found.is_empty() && !rows.signal_lanes.is_empty() {
         found.push(row(0, &State::NONE));
     }
+    let mut places = HashMap::new();
+    for place in resolved.places.iter().filter(|_| !endless.is_empty()) {
+        places.entry(place.signal).or_insert(place);
+    }
     let told = endless.into_iter().filter_map(|(sign, lane)| {
         let lane = map.lane_by_row(lane)?.key().to_string();
-        let place = resolved.places.iter().find(|place| place.signal == sign)?;
+        let place = places.get(&sign)?;
         Some(finding(
             &building::ZONE_END,
             Severity::Warning,
@@ -171,7 +175,7 @@ fn meet(map: Map<'_>, lane: &Lane<'_>, exit: &[Option<State>], reached: &[bool])
         let goes_on = !in_junction(&before) && !in_junction(lane);
         exit[id.row() as usize].filter(|_| goes_on)?.limit
     });
-    let value = |row: u32| map.signals().nth(row as usize).and_then(|sign| sign.value());
+    let value = |row: u32| map.signal_by_row(row).and_then(|sign| sign.value());
     // Of equal ones the first in the file, whatever the order in which they are met.
     let lowest = |a: ZoneState, b: ZoneState| {
         let limit = |row: &u32| value(*row).unwrap_or(f64::INFINITY);
