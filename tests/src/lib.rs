@@ -33,6 +33,7 @@ pub mod object_maps;
 pub mod other_user;
 #[cfg(feature = "overlays")]
 pub mod overlays;
+pub mod piles;
 #[cfg(feature = "processes")]
 pub mod plain_route;
 pub mod quarter;

@@ -2,6 +2,8 @@
 
 // Objects: copies, outlines, lanes that they lie on.
 mod objects;
+// What a map is too large for.
+mod limits;
 // Points of roads' and lanes' lines.
 mod lines;
 // Roads over one another.
