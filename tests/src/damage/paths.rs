@@ -69,10 +69,10 @@ fn along(map: Map<'_>, path: &Path<'_, '_>, steps: &[RouteStep]) {
     let mut positions = PathPositions::default();
     let _ = path.project_batch(Places { x: &x, y: &y, ..Places::default() }, &mut positions);
     let _ = path.project(DVec2::new(40.0, 2.0), Some(0.5 * length));
-    let (mut conflicts, mut approaches) = (Vec::new(), Vec::new());
-    path.conflicts(&mut conflicts);
+    let (mut conflicts, mut met, mut approaches) = (Vec::new(), Vec::new(), Vec::new());
+    path.conflicts(&mut conflicts, &mut met);
     for conflict in conflicts.iter().take(super::FEW) {
-        let _ = map.approaches(conflict, 100.0, CAR, &mut approaches);
+        let _ = map.approaches(conflict.lanes_of(&met), 100.0, CAR, &mut approaches);
     }
     path.crossings(&mut Vec::new());
     path.facts(&mut Vec::new());
