@@ -849,6 +849,7 @@ typedef struct mapd_route_sum {
   double cost;
   double length;
   double travel_time;
+  double assumed_time;
   uint32_t lane_changes;
   uint32_t start;
   uint32_t goal;
@@ -887,6 +888,9 @@ typedef struct mapd_path_options {
   double broken_gap;
   double broken_kink;
   double change_length;
+  double shortest_change;
+  double change_delay;
+  uint8_t vehicle;
 } mapd_path_options;
 typedef struct mapd_path_point {
   double along;
@@ -1021,12 +1025,25 @@ typedef struct mapd_path_conflict {
   double other_s_from;
   double other_s_to;
   double wait;
+  uint32_t lanes_from;
+  uint32_t lanes_to;
+  uint8_t kind;
+  uint8_t yields;
+  uint8_t reason;
+} mapd_path_conflict;
+typedef struct mapd_conflict_lane {
+  double along_from;
+  double along_to;
+  struct mapd_lane_id other;
+  double other_s_from;
+  double other_s_to;
+  double wait;
   uint8_t kind;
   uint8_t yields;
   uint8_t reason;
   uint8_t relation;
   uint8_t equal_roads;
-} mapd_path_conflict;
+} mapd_conflict_lane;
 typedef struct mapd_conflict_approach {
   struct mapd_lane_id lane;
   double s_from;
@@ -1178,6 +1195,13 @@ typedef struct mapd_lane_signal {
   uint8_t is_for_forward;
   uint8_t is_for_backward;
 } mapd_lane_signal;
+typedef struct mapd_speed_stretch {
+  double s_low;
+  double s_high;
+  struct mapd_speed_rule rule;
+  double lowest;
+  uint8_t has_lowest;
+} mapd_speed_stretch;
 typedef struct mapd_near_signal {
   struct mapd_signal_id signal;
   double distance;
@@ -1519,6 +1543,7 @@ mapd_code mapd_objects(const struct mapd_snapshot *snapshot,
                        struct mapd_error *error);
 mapd_code mapd_nearest_options_init(struct mapd_nearest_options *options, size_t size, struct mapd_error *error);
 uint64_t mapd_lane_types_drivable(void);
+uint64_t mapd_lane_types_routable(void);
 mapd_code mapd_nearest_lane(const struct mapd_snapshot *snapshot,
                             struct mapd_point point,
                             const struct mapd_nearest_options *options,
@@ -1660,11 +1685,11 @@ mapd_code mapd_lane_width_at(const struct mapd_snapshot *snapshot,
                              double s,
                              double *out,
                              struct mapd_error *error);
-mapd_code mapd_lane_speed_limit_at(const struct mapd_snapshot *snapshot,
-                                   struct mapd_lane_id lane,
-                                   double s,
-                                   double *out,
-                                   struct mapd_error *error);
+mapd_code mapd_lane_recorded_speed_limit_at(const struct mapd_snapshot *snapshot,
+                                            struct mapd_lane_id lane,
+                                            double s,
+                                            double *out,
+                                            struct mapd_error *error);
 mapd_code mapd_lane_length_between(const struct mapd_snapshot *snapshot,
                                    struct mapd_lane_id lane,
                                    double a,
@@ -2041,14 +2066,19 @@ mapd_code mapd_path_conflicts(const struct mapd_path *path,
                               struct mapd_path_conflict *out,
                               size_t capacity,
                               size_t *count,
+                              struct mapd_conflict_lane *lanes,
+                              size_t lane_capacity,
+                              size_t *lane_count,
                               struct mapd_error *error);
-mapd_code mapd_path_conflict_yields_by(const struct mapd_path_conflict *conflict,
+mapd_code mapd_path_conflict_yields_by(const struct mapd_conflict_lane *lanes,
+                                       size_t lane_count,
                                        const char *country,
                                        uint8_t *yields,
                                        uint8_t *basis,
                                        struct mapd_error *error);
 mapd_code mapd_conflict_approaches(const struct mapd_snapshot *snapshot,
-                                   const struct mapd_path_conflict *conflict,
+                                   const struct mapd_conflict_lane *lanes,
+                                   size_t lane_count,
                                    double distance,
                                    uint8_t vehicle,
                                    struct mapd_scratch *scratch,
@@ -2150,6 +2180,30 @@ mapd_code mapd_view_segments_on_path(const struct mapd_view *view,
                                      size_t capacity,
                                      size_t *count,
                                      struct mapd_error *error);
+mapd_code mapd_view_conflicts(const struct mapd_view *view,
+                              const struct mapd_path *path,
+                              struct mapd_scratch *scratch,
+                              struct mapd_path_conflict *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_conflict_lane *lanes,
+                              size_t lane_capacity,
+                              size_t *lane_count,
+                              struct mapd_error *error);
+mapd_code mapd_view_crossings(const struct mapd_view *view,
+                              const struct mapd_path *path,
+                              struct mapd_scratch *scratch,
+                              struct mapd_path_crossing *out,
+                              size_t capacity,
+                              size_t *count,
+                              struct mapd_error *error);
+mapd_code mapd_view_facts(const struct mapd_view *view,
+                          const struct mapd_path *path,
+                          struct mapd_scratch *scratch,
+                          struct mapd_path_fact *out,
+                          size_t capacity,
+                          size_t *count,
+                          struct mapd_error *error);
 mapd_code mapd_view_route(const struct mapd_view *view,
                           const struct mapd_position_on_lane *places,
                           size_t place_count,
@@ -2300,6 +2354,12 @@ mapd_code mapd_lane_speed_rule_at(const struct mapd_snapshot *snapshot,
                                   double s,
                                   struct mapd_speed_rule *out,
                                   struct mapd_error *error);
+mapd_code mapd_lane_speed_rules(const struct mapd_snapshot *snapshot,
+                                struct mapd_lane_id lane,
+                                struct mapd_speed_stretch *out,
+                                size_t capacity,
+                                size_t *count,
+                                struct mapd_error *error);
 mapd_code mapd_signals_near(const struct mapd_snapshot *snapshot,
                             struct mapd_vec2 point,
                             double radius,

@@ -625,7 +625,9 @@ impl Road<'_> {
             r#"<geometry s="0" x="{x}" y="{y}" hdg="{hdg}" length="{length}"><line/></geometry>"#
         );
         let one = right(1);
-        let or = |own, usual| if own == "" { usual } else { own };
+        fn or<'a>(own: &'a str, usual: &'a str) -> &'a str {
+            if own.is_empty() { usual } else { own }
+        }
         format!(
             r#"<road name="" id="{id}" length="{length}" junction="{junction}"><link>{link}</link>{types}<planView>{}</planView>{profiles}<lanes>{}</lanes>{inside}</road>"#,
             or(plan, &line),

@@ -1365,7 +1365,7 @@ typedef struct mapd_nearest_options {
    */
   double radius;
   /*
-   Lane types that count: the bit of each is `1 << code`; `UINT64_MAX`, the default, is all. See `mapd_lane_types_drivable`.
+   Lane types that count: the bit of each is `1 << code`; `UINT64_MAX`, the default, is all. See `mapd_lane_types_drivable` and `mapd_lane_types_routable`.
    */
   uint64_t types;
   /*
@@ -4821,9 +4821,14 @@ mapd_code mapd_objects(const struct mapd_snapshot *snapshot,
 mapd_code mapd_nearest_options_init(struct mapd_nearest_options *options, size_t size, struct mapd_error *error);
 
 /*
- Bits of the lane types that the lane graph opens to motor vehicles.
+ Bits of the lane types that are built for motor vehicles, whoever may use them.
  */
 uint64_t mapd_lane_types_drivable(void);
+
+/*
+ Bits of the lane types that routes lead over: those that the lane graph opens to motor vehicles where no access record says otherwise.
+ */
+uint64_t mapd_lane_types_routable(void);
 
 /*
  The lane whose area is nearest to a point in plan view, within the options' radius; distance 0 inside. Ties go by heading difference, z

@@ -172,7 +172,7 @@ pub(crate) unsafe fn path_of<'a>(path: *const mapd_path) -> Result<Path<'a, 'a>,
 ///
 /// As [`given_options`].
 unsafe fn options_of(options: *const mapd_path_options) -> Result<PathOptions, Failure> {
-    let Some(given) = (unsafe { given_options(options, "mapd_path_options_init") }?) else {
+    let Some(given) = unsafe { given_options(options, "mapd_path_options_init") }? else {
         return Ok(PathOptions::default());
     };
     Ok(PathOptions {

@@ -4,7 +4,7 @@ use mapd_archive::{
     AlignedBytes, AnnotationEntry, AnnotationRow, HEADER_LENGTH, Header, Provenance, encode,
 };
 use mapd_compiler::{CompileOptions, Extra, ReadOptions, compile_from};
-use mapd_tests::test_domain::{PATIENCE, TestDomain};
+use mapd_tests::test_domain::{PATIENCE, TestDomain, slow};
 use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -140,13 +140,16 @@ fn has_threads(process: u32, expected: usize, what: &str) {
     }
 }
 
-/// The number that is asked for is the number that there are: seen while a pipe is waited for.
+/// The number that is asked for is the number that there are: seen while a pipe is waited for, and, as a daemon takes no pipe, while a long file is read.
 #[test]
 fn as_many_threads_as_are_asked_for() {
     let place = TestDomain::new(MAPD);
     let folder = tempfile::tempdir().expect("a folder");
     let pipe = text(&folder.path().join("map.xodr"));
     assert!(Command::new("mkfifo").arg(&pipe).status().expect("runs").success());
+    let long = text(&folder.path().join("long.xodr"));
+    let town = fs::read(mapd_tests::carried("town.xodr")).expect("a map");
+    fs::write(&long, slow(&town)).expect("written");
     let wait = |args: &[&str]| {
         let mut command = place.command();
         Waiting(command.args(args).spawn().expect("starts"))
@@ -158,7 +161,7 @@ fn as_many_threads_as_are_asked_for() {
         let compile = [&["compile", pipe.as_str(), "-o", out.as_str()], &options[..]].concat();
         wait(&compile).has(1 + threads, "compile");
         wait(&[&["check", pipe.as_str()], &options[..]].concat()).has(1 + threads, "check");
-        let daemon = wait(&[&["--load", pipe.as_str(), "--no-cache"], &options[..]].concat());
+        let daemon = wait(&[&["--load", long.as_str(), "--no-cache"], &options[..]].concat());
         let compiler = compiler_of(daemon.0.id());
         has_threads(compiler, 1 + threads, "--load");
     }

@@ -322,7 +322,7 @@ fn a_change_goes_on_over_lanes_that_follow() {
             let begin = if begin.is_nan() {
                 // It ends with the road, or in a bend a little before.
                 let first = (0..900).map(|i| 0.1 * f64::from(i));
-                let begin = first.filter(|along| beside(&path, *along) > 3.5 - 1e-9).last();
+                let begin = first.rev().find(|along| beside(&path, *along) > 3.5 - 1e-9);
                 let begin = begin.expect("a beginning");
                 assert!(begin > path.length() - 36.0 && begin < path.length() - 24.0, "{begin}");
                 continue;
@@ -361,9 +361,8 @@ fn a_change_waits_for_where_it_is_allowed_for_long_enough() {
     let (steps, mut buffer) = (steps_outwards(map, 2), PathBuffer::default());
     let path = map.path(&steps, &options(40.0), &mut buffer).expect("a path");
     assert!(path.joints().iter().all(|joint| !joint.short && joint.gap < TOLERANCE));
-    let stays =
-        (0..60).map(f64::from).filter(|along| *along >= 5.0 && beside(&path, *along) > 3.49);
-    let last = stays.last().expect("a beginning");
+    let last = (5..60).map(f64::from).rev().find(|along| beside(&path, *along) > 3.49);
+    let last = last.expect("a beginning");
     assert!(last > 28.0 && last < 36.0, "{last}");
     let s_of = |along: f64| path.at(along).expect("a place").s;
     assert!(s_of(last) > 28.0, "it begins before {last}");

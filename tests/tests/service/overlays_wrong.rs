@@ -53,8 +53,10 @@ fn megabytes_of_entries_are_refused_whole() {
         let text = "cable works ".repeat(text);
         let all = (0..entries).map(|i| {
             let road = if i + 1 == entries { last } else { "1" };
+            // Beside each other: only so many are taken at one place.
+            let (from, to) = (5.0 + 0.5 * (i % 100) as f64, 5.4 + 0.5 * (i % 100) as f64);
             format!(
-                r#"{{"id":"entry {i}","kind":"closed","text":"{text}","lanes":[{{"road":"{road}","s":[10,20],"lane":-1}}]}}"#
+                r#"{{"id":"entry {i}","kind":"closed","text":"{text}","lanes":[{{"road":"{road}","s":[{from},{to}],"lane":-1}}]}}"#
             )
         });
         format!(r#"{{"entries":[{}]}}"#, all.collect::<Vec<_>>().join(","))

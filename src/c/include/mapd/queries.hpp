@@ -503,18 +503,21 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
     return detail::value<LanePosition>([&](auto... rest) { return mapd_lane_position_of(get(), lane, point, rest...); });
   }
 
-  /// Pose at s as the lane's traffic has it, `offset` [m] to its left of the lane's centre, on the plane h = 0. s outside the lane's section is moved to its
-  /// nearer end and flagged.
+  /// Pose at s as the lane's traffic has it, `offset` [m] to its left of the lane's centre, on the plane h = 0. Heading and curvature are those of the line
+  /// that keeps this offset, in driving direction; slope and superelevation are the road's. s outside the lane's section is moved to its nearer end and
+  /// flagged.
   Result<Pose> try_pose_at(LaneId lane, double s, double offset) const {
     return detail::value<Pose>([&](auto... rest) { return mapd_lane_pose_at(get(), lane, s, offset, rest...); });
   }
 
-  /// As `mapd_lane_pose_at`, along the reference line: ahead is the way s rises, and `offset` counts to the left of that.
+  /// As `mapd_lane_pose_at`, in the road's frame: heading and curvature are those of the reference line, ahead is the way s rises, and `offset` counts to the
+  /// left of that.
   Result<Pose> try_pose_of_reference_line(LaneId lane, double s, double offset) const {
     return detail::value<Pose>([&](auto... rest) { return mapd_lane_pose_of_reference_line(get(), lane, s, offset, rest...); });
   }
 
-  /// The centre line's exact place at s, with its own direction. s outside the lane's section is moved to its nearer end and flagged.
+  /// The centre line's exact place at s, with its own direction: that of `mapd_lane_pose_at` at offset 0. s outside the lane's section is moved to its nearer
+  /// end and flagged.
   Result<Waypoint> try_waypoint_at(LaneId lane, double s) const {
     return detail::value<Waypoint>([&](auto... rest) { return mapd_lane_waypoint_at(get(), lane, s, rest...); });
   }

@@ -238,9 +238,9 @@ class Answerer {
       a.all(one.along_from, one.along_to).id(one.other).all(one.other_s_from, one.other_s_to, one.wait);
       a.text(mapd::word(MAPD_WORDS_CONFLICT_KIND, one.kind)).text(yields[one.yields]);
       a.text(mapd::word(MAPD_WORDS_RELATION_REASON, one.reason));
-      const auto lanes = conflicts.lanes_of(one);
-      a.u(lanes.size());
-      for (const auto& lane : lanes) a.id(lane.other).all(lane.along_from, lane.along_to);
+      const auto meeting = conflicts.lanes_of(one);
+      a.u(meeting.size());
+      for (const auto& lane : meeting) a.id(lane.other).all(lane.along_from, lane.along_to);
     }
   }
   void reachable(Question& q, Numbers& a) {

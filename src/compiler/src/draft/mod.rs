@@ -77,6 +77,13 @@ impl Draft {
         self.rows.roads.len()
     }
 
+    /// Id and start tag of a road, by its row.
+    pub(crate) fn road_named(&self, road: u32) -> Option<(String, Span)> {
+        let row = self.rows.roads.get(road as usize)?;
+        let id = String::from_utf8_lossy(self.strings.bytes_of(row.id)).into_owned();
+        Some((id, self.road_spans.get(road as usize).copied().unwrap_or_default()))
+    }
+
     /// Names the projection of a target frame as the map's. The file's own and the target as asked for, as strings.
     pub(crate) fn retarget(&mut self, definition: &str, target: &str) -> [u32; 2] {
         if let Some(map) = &mut self.map {

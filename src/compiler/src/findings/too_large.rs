@@ -1,6 +1,5 @@
 //! What does not fit the tables.
 
-use crate::draft::Draft;
 use crate::findings::finding;
 use mapd_archive::{MOST_OF_LANE, NONE, Rows, string};
 use mapd_rules::catalog::building;
@@ -65,14 +64,12 @@ pub(crate) fn too_large(error: &TooLarge, rows: &Rows, road_spans: &[Span]) -> F
     at_road(error, error.road.and_then(|road| named(rows, road_spans, road)))
 }
 
-/// As [`too_large`], while ids are not in the tables yet.
-pub(crate) fn too_large_in(draft: &Draft, error: &TooLarge) -> Finding {
-    let road = error.road.and_then(|road| {
-        let row = draft.rows.roads.get(road as usize)?;
-        let id = String::from_utf8_lossy(draft.strings.bytes_of(row.id)).into_owned();
-        Some((id, draft.road_spans.get(road as usize).copied().unwrap_or_default()))
-    });
-    at_road(error, road)
+/// As [`too_large`], while ids are not in the tables yet: `named` knows the id and start tag of a road by its row.
+pub(crate) fn too_large_in(
+    error: &TooLarge,
+    named: impl FnOnce(u32) -> Option<(String, Span)>,
+) -> Finding {
+    at_road(error, error.road.and_then(named))
 }
 
 /// At the road whose rows no longer fit, so that it can be left out.

@@ -343,7 +343,7 @@ fn read(
             .and_then(|cuts| graph::edges(&mut draft, &links, &cuts, &places, settings, &mut late));
         match made {
             Ok(made) => graph = made,
-            Err(error) => late.push(too_large_in(&draft, &error)),
+            Err(error) => late.push(too_large_in(&error, |road| draft.road_named(road))),
         }
         collector.add_late(late, &places);
     }

@@ -25,7 +25,7 @@ pub enum Kind {
     Inertial,
     /// `road_id,s,t` → x,y,z of the road's surface, its normal, the lane's friction and roughness
     Surface,
-    /// `road_id,s,lane_id` → width,t_inner,t_outer,x,y,z of the lane's centre, hdg as its traffic goes
+    /// `road_id,s,lane_id` → width,t_inner,t_outer,x,y,z,hdg of the lane's centre
     Lane,
     /// `x,y[,z][,hdg]` or `lat,lon[,alt][,hdg]` → lane,road_id,lane_id,s,t,offset,distance
     Nearest,
