@@ -113,7 +113,7 @@ pub(super) static RULES: &[Rule] = &[
         "Links of a direct junction that have a zone where lanes overlap share a lane.",
         Junction(one_zone),
         [
-            In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" linkedRoad="2" contactPoint="start"><laneLink from="-1" to="-1" overlapZone="20"/></connection></junction>"#),
+            SOUND,
             In(r#"<junction id="9" name="" type="direct"><connection id="0" incomingRoad="1" linkedRoad="3" contactPoint="start"><laneLink from="-1" to="-1" overlapZone="20"/><laneLink from="-2" to="-2" overlapZone="20"/></connection></junction>"#),
         ],
     ),
