@@ -53,14 +53,14 @@ const CLOUDS: [usize; 2] = [1, 3];
 /// Kinds of [`path_probe`](../planner/src/bin/path_probe.rs), on a path of at least 500 m over the carried town and between its ends, as for queries.
 const PATH_BOUNDS: [(&str, u64); 10] = [
     ("project", 970),
-    ("at", 3_140),
-    ("build", 509_300),
+    ("at", 3_345),
+    ("build", 536_000),
     ("corridor", 184_400),
     ("surface", 378_200),
     ("segments", 12_250),
     ("conflicts", 1_181_000),
-    ("request", 25_060),
-    ("alternatives", 109_950),
+    ("request", 27_000),
+    ("alternatives", 116_400),
     ("reach", 44_100),
 ];
 /// Instructions that one point may take in a batch of 1,000, as for queries.
