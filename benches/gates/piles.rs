@@ -16,10 +16,14 @@ const MOST: f64 = 1.2;
 
 /// Kinds that grow faster as long as they are small, and how fast at most: limits end it (docs/reading.md), those of lanes of a section or of pairs of roads that overlap. None
 /// may join them.
-const KNOWN: [(&str, f64); 10] = [
+const KNOWN: [(&str, f64); 12] = [
     // Of each two roads that cross it is found where: up to 65,536 pairs, and 16 more for each road.
     ("roads that cross in a grid", 1.65),
     ("spirals on one another", 1.45),
+    // Times along each lane change with each type: up to 4,096 of both, and 32 more for each; beyond, the road is left out, and the archive is smaller.
+    ("speeds of road types, lanes", 2.5),
+    // Each road is another conflict with the one before.
+    ("priorities in a chain over roads", 1.35),
     // Widths add up from lane 0 outwards: up to 1,024 lanes.
     ("shapes along, lanes", 1.5),
     ("road marks on the centre, lanes", 1.4),

@@ -29,7 +29,7 @@ struct Bound {
 
 const BOUNDS: [Bound; 6] = [
     Bound { kind: "match", runs: [100, 900], most: [1.02, 1.02] },
-    Bound { kind: "speed", runs: PLACES, most: [1.02, 1.20] },
+    Bound { kind: "speed", runs: PLACES, most: [1.04, 1.20] },
     Bound { kind: "allows", runs: PLACES, most: [1.12, 1.60] },
     Bound { kind: "route", runs: ROUTES, most: [1.02, 1.20] },
     Bound { kind: "find-route", runs: ROUTES, most: [1.02, 1.20] },
