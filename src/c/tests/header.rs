@@ -28,7 +28,7 @@ fn every_exception_of_the_wrappers_is_a_function() {
     assert!(gone.is_empty(), "{gone:?}");
 }
 
-/// A function of C, and the lines of its wrapper in C++.
+/// Checks the lines that the generator writes for a function of C.
 #[track_caller]
 fn wraps(documentation: &str, parameters: &str, expected: &[&str]) {
     let source = format!(
@@ -73,13 +73,13 @@ fn a_value_or_none_and_options() {
 }
 
 #[test]
-fn yes_or_no() {
+fn a_boolean() {
     wraps(
         "Whether it is so, 1 or 0.",
         &format!("{LANE}, forward: u8, out: *mut u8"),
         &[
             "Result<bool> try_f(LaneId lane, bool forward) const {",
-            "return detail::yes([&](auto... rest) { return mapd_lane_f(get(), lane, detail::byte(forward), rest...); });",
+            "return detail::boolean([&](auto... rest) { return mapd_lane_f(get(), lane, detail::to_byte(forward), rest...); });",
             "bool f(LaneId lane, bool forward) const { return try_f(lane, forward).value(); }",
         ],
     );

@@ -308,8 +308,8 @@ class Viewer {
     addEventListener("keydown", event => this.key(event));
     addEventListener("hashchange", () => this.goToAddress());
     $("fit").onclick = () => this.fit();
-    $("closer").onclick = () => this.camera.zoom(ZOOM);
-    $("farther").onclick = () => this.camera.zoom(1 / ZOOM);
+    $("zoom-in").onclick = () => this.camera.zoom(ZOOM);
+    $("zoom-out").onclick = () => this.camera.zoom(1 / ZOOM);
     $("help").onclick = () => this.panel.help(KEYS);
     $("route").onclick = () => this.setMode("route");
     $("measure").onclick = () => this.setMode("measure");

@@ -61,9 +61,9 @@ fn keys_move_zoom_and_turn() {
         browser.evaluate("viewer.camera.scale").as_f64().unwrap_or_default()
     };
     let before = scale(&mut browser);
-    browser.evaluate("document.querySelector('#closer').click()");
+    browser.evaluate("document.querySelector('#zoom-in').click()");
     assert!((scale(&mut browser) / before - 1.4).abs() < 1e-9);
-    browser.evaluate("document.querySelector('#farther').click()");
+    browser.evaluate("document.querySelector('#zoom-out').click()");
     assert!((scale(&mut browser) / before - 1.0).abs() < 1e-9);
     browser.evaluate("document.querySelector('#help').click()");
     assert_eq!(browser.evaluate("document.querySelector('#panel h1').textContent"), "Keys");

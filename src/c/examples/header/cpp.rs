@@ -1,14 +1,13 @@
-//! The C++ wrappers of the C functions: one method for each function that asks something of a handle, by the shape of its parameters.
+//! Writes the C++ wrappers of the C functions: one method for each function that asks a handle something. The shape of its parameters decides the method.
 //!
-//! The Rust function is the source of the signature and of the method's sentence. A function with a shape that none of these rules knows is an error that
-//! names its file, line and parameter.
+//! Signature and documentation of a method come from the Rust function. A function of an unknown shape is an error that names file, line and parameter.
 
 use quote::ToTokens as _;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use syn::spanned::Spanned as _;
 
-/// Handles whose questions become a class: the C type, the class, and the words that a method's name leaves out.
+/// The handles that become classes: the C type, the class, the prefixes that a method's name drops, and the documentation of the class.
 const CLASSES: [(&str, &str, &[&str], &str); 4] = [
     ("mapd_projector", "Projector", &[], "Converts between a map's inertial frame and WGS 84."),
     ("mapd_path", "PathQueries", &["path_"], "What a path is asked: see `Path`."),
@@ -16,7 +15,7 @@ const CLASSES: [(&str, &str, &[&str], &str); 4] = [
     ("mapd_view", "ViewQueries", &["view_"], "What a view is asked: see `View`."),
 ];
 
-/// Functions whose C++ form is written by hand, and why; so are those that make a handle, for its class comes later.
+/// Functions whose wrapper is written by hand, each with the reason. Those that make a handle are, too: the handle's class comes later.
 pub(crate) const BY_HAND: &[(&str, &str)] = &[
     ("mapd_snapshot_verify", "has no answer"),
     ("mapd_snapshot_populate", "has no answer"),
@@ -29,7 +28,7 @@ pub(crate) const BY_HAND: &[(&str, &str)] = &[
     ("mapd_path_rebase", "answers two lists of their own lengths"),
 ];
 
-/// Methods whose name does not follow from the function's, and why.
+/// Methods whose name does not follow the rules of [`method`], each with the reason.
 pub(crate) const NAMES: &[(&str, &str, &str)] = &[
     ("mapd_map_facts_of", "facts", "the map is the receiver"),
     ("mapd_map_geodetic_bounds", "geodetic_bounds", "the map is the receiver"),
@@ -49,12 +48,12 @@ pub(crate) const NAMES: &[(&str, &str, &str)] = &[
     ("mapd_lane_lines", "lane_lines", "beside line, which is another thing"),
 ];
 
-/// Lists that are empty where C says that there is none, and why.
+/// Functions that answer `MAPD_CODE_NONE` where C++ returns an empty list, each with the reason.
 pub(crate) const EMPTY: &[(&str, &str)] =
     &[("mapd_road_section_lanes", "a section that the road does not have has no lanes")];
 
-/// Parameters of one byte that are yes or no; the others are codes.
-const YES_OR_NO: [&str; 4] = ["forward", "to", "ahead", "has_altitude"];
+/// Parameters of type `u8` that are booleans. All others are codes.
+const BOOLEANS: [&str; 4] = ["forward", "to", "ahead", "has_altitude"];
 
 /// Types whose name in C++ does not follow from theirs in C.
 const TYPES: [(&str, &str); 9] = [
@@ -69,14 +68,11 @@ const TYPES: [(&str, &str); 9] = [
     ("usize", "std::size_t"),
 ];
 
-/// What a parameter of C is.
+/// How C passes a parameter: by value, as `*const T`, as `*mut T`.
 #[derive(Clone, PartialEq)]
 enum Kind {
-    /// By value.
     Value(String),
-    /// `*const T`.
     In(String),
-    /// `*mut T`.
     Out(String),
 }
 
@@ -90,22 +86,22 @@ struct Parameter {
 struct Function {
     name: String,
     sentence: String,
-    /// The documentation says that there may be no answer.
+    /// Whether the documentation names `MAPD_CODE_NONE`.
     may_be_none: bool,
-    /// The body does.
+    /// Whether the body answers it.
     answers_none: bool,
     parameters: Vec<Parameter>,
     place: String,
 }
 
-/// A parameter of a method: its declaration, its name, and its default.
+/// An argument of a method. `default` is empty for a required one.
 struct Argument {
     declared: String,
     name: String,
     default: &'static str,
 }
 
-/// What the answers of a function are.
+/// How a function answers.
 enum Shape {
     Value(String),
     List(String),
@@ -130,7 +126,7 @@ fn type_name(of: &str) -> String {
     words.map(|word| word[..1].to_uppercase() + &word[1..]).collect()
 }
 
-/// The first paragraph of a documentation, less what only C has, and whether all of it says that there may be no answer.
+/// Returns the first paragraph without sentences about C alone, and whether the documentation names `MAPD_CODE_NONE`.
 fn documented(attributes: &[syn::Attribute]) -> (String, bool) {
     let mut text = String::new();
     for attribute in attributes.iter().filter(|one| one.path().is_ident("doc")) {
@@ -191,7 +187,7 @@ fn functions(file: &str, source: &str) -> Result<Vec<Function>, String> {
     Ok(all)
 }
 
-/// The method's name: without the receiver's word, and without that of the first argument unless something else has the name that is left.
+/// Returns the method's name. It drops the receiver's prefix, and the first argument's noun unless another function has the shorter name.
 fn method(function: &Function, words: &[&str], all: &[String]) -> String {
     if let Some((_, name, _)) = NAMES.iter().find(|(c, ..)| *c == function.name) {
         return (*name).to_owned();
@@ -210,25 +206,25 @@ fn method(function: &Function, words: &[&str], all: &[String]) -> String {
     let noun = first.trim_start_matches("mapd_").trim_end_matches("id");
     let rest = name.strip_prefix(noun).filter(|_| first.ends_with("_id"));
     let Some(rest) = rest else { return name.to_owned() };
-    let taken = |other: String| other != function.name && all.contains(&other);
-    if taken(format!("mapd_{rest}")) || noun != "lane_" && taken(format!("mapd_lane_{rest}")) {
+    let used = |other: String| other != function.name && all.contains(&other);
+    if used(format!("mapd_{rest}")) || noun != "lane_" && used(format!("mapd_lane_{rest}")) {
         return name.to_owned();
     }
     rest.to_owned()
 }
 
-/// What a method takes, how it passes that on, what it does before, and its shape.
-struct Taken {
+/// The arguments of a method, what it passes to C, the lines before that call, and how C answers.
+struct Signature {
     arguments: Vec<Argument>,
     passed: Vec<String>,
     before: String,
     shape: Shape,
 }
 
-/// Takes the parameters between the receiver and the error apart.
-fn taken(function: &Function, class: &str) -> Result<Taken, String> {
+/// Reads the parameters between the receiver and the error. Errors: a parameter or a shape without a rule.
+fn signature(function: &Function, class: &str) -> Result<Signature, String> {
     let all = &function.parameters[1..];
-    let mut taken = Taken {
+    let mut signature = Signature {
         arguments: Vec::new(),
         passed: vec!["get()".to_owned()],
         before: String::new(),
@@ -240,8 +236,8 @@ fn taken(function: &Function, class: &str) -> Result<Taken, String> {
         let name = one.name.clone();
         let mut add = |declared: String, passed: String, default: &'static str| {
             let name = declared.rsplit(['&', '*', ' ']).next().unwrap_or_default().to_owned();
-            taken.arguments.push(Argument { declared, name, default });
-            taken.passed.push(passed);
+            signature.arguments.push(Argument { declared, name, default });
+            signature.passed.push(passed);
         };
         match &one.kind {
             Kind::Out(of) if of == "mapd_scratch" => {
@@ -252,8 +248,8 @@ fn taken(function: &Function, class: &str) -> Result<Taken, String> {
                 add("PositionOnLane place".into(), "place.lane, place.s".into(), "");
                 at += 1;
             }
-            Kind::Value(of) if of == "u8" && YES_OR_NO.contains(&&*name) => {
-                add(format!("bool {name}"), format!("detail::byte({name})"), "");
+            Kind::Value(of) if of == "u8" && BOOLEANS.contains(&&*name) => {
+                add(format!("bool {name}"), format!("detail::to_byte({name})"), "");
             }
             Kind::Value(of) => add(format!("{} {name}", type_name(of)), name.clone(), ""),
             Kind::In(of) if of == "c_char" => {
@@ -266,18 +262,18 @@ fn taken(function: &Function, class: &str) -> Result<Taken, String> {
             }
             Kind::In(of) if of == "mapd_nearest_options" => {
                 add(format!("const NearestOptions& {name}"), "&own".into(), "{}");
-                taken.before = format!("    const mapd_nearest_options own = {name}.c();\n");
+                signature.before = format!("    const mapd_nearest_options own = {name}.c();\n");
             }
             Kind::In(of) if of.ends_with("_options") || of == "mapd_mark_filter" => {
                 add(format!("const {}& {name}", type_name(of)), format!("&{name}"), "{}");
             }
-            // Null: the usual ones.
+            // Null stands for the default classes.
             Kind::In(of) if of == "mapd_class_set" => {
                 add(format!("const ClassSet* {name}"), name.clone(), "");
             }
             // The questions of a batch.
             Kind::In(of) if is(at + 1, "count") => {
-                taken.shape = Shape::Batch(name.clone());
+                signature.shape = Shape::Batch(name.clone());
                 let of = if of == "mapd_point" { of.clone() } else { type_name(of) };
                 add(format!("span<const {of}> {name}"), "all, count".into(), "");
                 at += 1;
@@ -290,7 +286,8 @@ fn taken(function: &Function, class: &str) -> Result<Taken, String> {
             }
             Kind::In(of) if of == "f64" && name == "hint" => {
                 add(format!("std::optional<double> {name}"), "begin".into(), "std::nullopt");
-                taken.before = format!("    const double* begin = {name} ? &*{name} : nullptr;\n");
+                signature.before =
+                    format!("    const double* begin = {name} ? &*{name} : nullptr;\n");
             }
             Kind::In(of) if of.starts_with("mapd_") => {
                 add(format!("const {}& {name}", type_name(of)), format!("&{name}"), "");
@@ -306,17 +303,17 @@ fn taken(function: &Function, class: &str) -> Result<Taken, String> {
         Some(Kind::Out(of)) if !of.starts_with("*mut") => Some(type_name(of)),
         _ => None,
     };
-    let is_batch = matches!(taken.shape, Shape::Batch(_));
-    taken.shape = match (&*names, of(0), of(1)) {
+    let is_batch = matches!(signature.shape, Shape::Batch(_));
+    signature.shape = match (&*names, of(0), of(1)) {
         ([_, "error"], Some(answer), _) if is_batch => {
-            let Shape::Batch(questions) = taken.shape else { unreachable!("just matched") };
+            let Shape::Batch(questions) = signature.shape else { unreachable!("just matched") };
             let to = Argument {
                 declared: format!("span<{answer}> out"),
                 name: "out".into(),
                 default: "",
             };
-            let after = taken.arguments.iter().position(|one| one.name == questions);
-            taken.arguments.insert(after.map_or(0, |at| at + 1), to);
+            let after = signature.arguments.iter().position(|one| one.name == questions);
+            signature.arguments.insert(after.map_or(0, |at| at + 1), to);
             Shape::Batch(questions)
         }
         ([_, "error"], Some(answer), _) => Shape::Value(answer),
@@ -333,12 +330,12 @@ fn taken(function: &Function, class: &str) -> Result<Taken, String> {
             return Err(format!("{first}: {list} of {name} have no known shape"));
         }
     };
-    // What may be left out comes last.
-    taken.arguments.sort_by_key(|one| !one.default.is_empty());
-    Ok(taken)
+    // C++ wants arguments with a default last.
+    signature.arguments.sort_by_key(|one| !one.default.is_empty());
+    Ok(signature)
 }
 
-/// A comment of a method, in lines of at most 160 columns.
+/// Wraps a documentation comment at 160 columns.
 fn documentation(text: &str) -> String {
     let mut out = String::new();
     for word in text.split_whitespace() {
@@ -353,12 +350,12 @@ fn documentation(text: &str) -> String {
     out
 }
 
-/// The methods of a function: one that returns errors, and one that throws them.
+/// Returns two texts: the methods that return an error, and those that throw it.
 fn methods(function: &Function, class: &str, name: &str) -> Result<(String, String), String> {
-    let Taken { arguments, passed, before, shape } = taken(function, class)?;
+    let Signature { arguments, passed, before, shape } = signature(function, class)?;
     let passed = passed.join(", ");
     let (c, sentence) = (&function.name, &function.sentence);
-    // Arguments that may be left out come last, behind the caller's list.
+    // The caller's list stands between required arguments and those with a default.
     let split = arguments.iter().position(|one| !one.default.is_empty()).unwrap_or(arguments.len());
     let joined = |extra: Option<&str>, of: &dyn Fn(&Argument) -> String| {
         let mut all: Vec<String> = arguments.iter().map(of).collect();
@@ -386,7 +383,7 @@ fn methods(function: &Function, class: &str, name: &str) -> Result<(String, Stri
         }
         Shape::Value(of) if of == "std::string_view" => (of.clone(), "text".to_owned()),
         Shape::Value(of) if of == "std::uint8_t" && answers_bool => {
-            ("bool".to_owned(), "yes".to_owned())
+            ("bool".to_owned(), "boolean".to_owned())
         }
         Shape::Value(of) if none => (format!("std::optional<{of}>"), format!("optional<{of}>")),
         Shape::Value(of) => (of.clone(), format!("value<{of}>")),
@@ -444,7 +441,7 @@ fn methods(function: &Function, class: &str, name: &str) -> Result<(String, Stri
     Ok((tries, throws))
 }
 
-/// The classes of these sources, each with its name and text.
+/// Returns the classes for these sources, given as name and text.
 pub(crate) fn classes(sources: &[(&str, String)]) -> Result<String, String> {
     let mut all = Vec::new();
     for (file, source) in sources {

@@ -400,9 +400,9 @@ Error list_into(std::vector<T>& out, F call) {
   }
 }
 
-/// An answer that is yes or no.
+/// A boolean answer, which C has as 1 or 0.
 template <class F>
-Result<bool> yes(F call) {
+Result<bool> boolean(F call) {
   const auto found = value<std::uint8_t>(call);
   if (!found) return found.error();
   return *found != 0;
@@ -424,8 +424,8 @@ Result<std::optional<std::string_view>> optional_text(F call) {
   return *found ? std::optional(view(**found)) : std::nullopt;
 }
 
-/// Yes or no as C has it.
-constexpr std::uint8_t byte(bool is) noexcept { return is ? 1 : 0; }
+/// A boolean as C has it.
+constexpr std::uint8_t to_byte(bool is) noexcept { return is ? 1 : 0; }
 
 /// What a batch came to: nothing, or why it failed.
 template <class Q, class A, class F>

@@ -123,7 +123,7 @@ class PathQueries : public detail::Owner<mapd_path, mapd_path_close> {
 
   /// Whether some joint is broken, 1 or 0: a gap of more than 0.1 m or a kink of more than 0.3 rad.
   Result<bool> try_is_broken() const {
-    return detail::yes([&](auto... rest) { return mapd_path_is_broken(get(), rest...); });
+    return detail::boolean([&](auto... rest) { return mapd_path_is_broken(get(), rest...); });
   }
 
   /// As `mapd_path_at`, of `count` places; `out` has room for as many.
@@ -709,12 +709,12 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   /// The node that holds s, towards +s (`forward` not 0) or −s; at a cut the later one in that direction. s outside the lane's section counts as its nearer
   /// end.
   Result<std::optional<NodeId>> try_node_at(LaneId lane, double s, bool forward) const {
-    return detail::optional<NodeId>([&](auto... rest) { return mapd_lane_node_at(get(), lane, s, detail::byte(forward), rest...); });
+    return detail::optional<NodeId>([&](auto... rest) { return mapd_lane_node_at(get(), lane, s, detail::to_byte(forward), rest...); });
   }
 
   /// Whether a class of vehicles may use the lane at s in its own direction: 1 or 0. `vehicle` is a `MAPD_VEHICLE_CLASS_…`.
   Result<bool> try_allows_at(LaneId lane, double s, std::uint8_t vehicle) const {
-    return detail::yes([&](auto... rest) { return mapd_lane_allows_at(get(), lane, s, vehicle, rest...); });
+    return detail::boolean([&](auto... rest) { return mapd_lane_allows_at(get(), lane, s, vehicle, rest...); });
   }
 
   /// Lanes of the same junction whose areas meet this one's.
@@ -768,7 +768,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   /// `distance` [m] long or ends: what they have in common, as `mapd_reach` writes it, each piece of a lane once. `mapd_next_sequence` tells them one by one.
   /// The lane of the place may be any; every other one must be open to the vehicle.
   Result<Reach> try_lane_sequences(PositionOnLane from, double distance, std::uint8_t vehicle, bool ahead, Scratch& scratch) const {
-    return detail::reach<Reach>([&](auto... rest) { return mapd_lane_sequences(get(), from, distance, vehicle, detail::byte(ahead), scratch.get(), rest...); });
+    return detail::reach<Reach>([&](auto... rest) { return mapd_lane_sequences(get(), from, distance, vehicle, detail::to_byte(ahead), scratch.get(), rest...); });
   }
 
   /// The next junction ahead of a place within a distance [m], following the lanes as long as there is but one way on, or all ways lead into one junction. On a
@@ -860,7 +860,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   /// What can be reached from a request's starts within a cost, nearest first, with the ways on; with `to` not 0 from where its goals can be reached, and the
   /// ways back. What lies beyond the limit is not among the links.
   Result<Reach> try_reach(const RouteRequest& request, double limit, bool to, Scratch& scratch) const {
-    return detail::reach<Reach>([&](auto... rest) { return mapd_reach(get(), &request, limit, detail::byte(to), scratch.get(), rest...); });
+    return detail::reach<Reach>([&](auto... rest) { return mapd_reach(get(), &request, limit, detail::to_byte(to), scratch.get(), rest...); });
   }
 
 #if MAPD_EXCEPTIONS
@@ -1407,7 +1407,7 @@ class Queries : public detail::Owner<mapd_snapshot, mapd_snapshot_close> {
   /// As `mapd_nearest_lane`, from a place on Earth through a projector of this map. The altitude counts where `has_altitude` is not 0.
   Result<std::optional<Nearest>> try_nearest_lane_geodetic(const Projector& projector, Geodetic place, bool has_altitude, const NearestOptions& options = {}) const {
     const mapd_nearest_options own = options.c();
-    return detail::optional<Nearest>([&](auto... rest) { return mapd_nearest_lane_geodetic(get(), projector.get(), place, detail::byte(has_altitude), &own, rest...); });
+    return detail::optional<Nearest>([&](auto... rest) { return mapd_nearest_lane_geodetic(get(), projector.get(), place, detail::to_byte(has_altitude), &own, rest...); });
   }
 
 #if MAPD_EXCEPTIONS
@@ -1627,7 +1627,7 @@ class ViewQueries : public detail::Owner<mapd_view, mapd_view_close> {
 
   /// As `mapd_reach`, heeding what holds now. Where the overlay cuts a node, each piece is told of by itself.
   Result<Reach> try_reach(const RouteRequest& request, double limit, bool to, Scratch& scratch) const {
-    return detail::reach<Reach>([&](auto... rest) { return mapd_view_reach(get(), &request, limit, detail::byte(to), scratch.get(), rest...); });
+    return detail::reach<Reach>([&](auto... rest) { return mapd_view_reach(get(), &request, limit, detail::to_byte(to), scratch.get(), rest...); });
   }
 
 #if MAPD_EXCEPTIONS
